@@ -1,0 +1,152 @@
+#include "eliminant/base/run.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <fstream>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include <unistd.h>
+
+namespace eliminant::base {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How often memory is looked at. A process that writes fresh pages at 4 GB/s outgrows its limit by 20 MB
+/// meanwhile; one look costs about 10 µs.
+constexpr std::chrono::milliseconds memory_sampling_interval{5};
+
+/// Resident memory of this process in bytes; nothing where the system does not tell.
+std::optional<std::uint64_t> resident_memory() {
+    std::ifstream statm("/proc/self/statm");
+    std::uint64_t total_pages = 0;
+    std::uint64_t resident_pages = 0;
+    if (!(statm >> total_pages >> resident_pages)) return std::nullopt;
+    return resident_pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// The moment `seconds` from `start`; the end of time where that is too far to be represented.
+Clock::time_point deadline_after(Clock::time_point start, double seconds) {
+    const std::chrono::duration<double> limit(seconds);
+    const std::chrono::duration<double> representable = Clock::time_point::max() - start;
+    if (limit >= representable) return Clock::time_point::max();
+    return start + std::chrono::duration_cast<Clock::duration>(limit);
+}
+
+} // namespace
+
+struct Run::Sink {
+    std::function<void(const Progress&)> call;
+    std::chrono::milliseconds interval;
+    std::mutex mutex; // one report at a time
+};
+
+/// The thread that keeps the limits of one Run and paces its progress.
+class Run::Watchdog {
+  public:
+    Watchdog(Run& run, const RunOptions& options, Clock::time_point start)
+        : run_(run), memory_limit_(options.memory_limit_bytes),
+          progress_interval_(run.sink_ ? run.sink_->interval : std::chrono::milliseconds::zero()) {
+        if (options.time_limit_seconds) deadline_ = deadline_after(start, *options.time_limit_seconds);
+        thread_ = std::thread([this] { watch(); });
+    }
+
+    ~Watchdog() {
+        {
+            const std::lock_guard lock(mutex_);
+            finished_ = true;
+        }
+        wake_.notify_one();
+        thread_.join();
+    }
+
+    Watchdog(const Watchdog&) = delete;
+    Watchdog& operator=(const Watchdog&) = delete;
+
+  private:
+    void watch() {
+        Clock::time_point next_progress = Clock::now() + progress_interval_;
+        std::unique_lock lock(mutex_);
+        while (!finished_) {
+            const Clock::time_point now = Clock::now();
+            if (now >= deadline_) run_.request_stop(StopReason::time_limit);
+            if (memory_limit_ && resident_memory().value_or(0) > *memory_limit_)
+                run_.request_stop(StopReason::memory_limit);
+            if (progress_interval_.count() > 0 && now >= next_progress) {
+                run_.progress_due_.store(true, std::memory_order_relaxed);
+                next_progress = now + progress_interval_;
+            }
+            if (run_.stop_reason()) return;
+            wait_until(lock, next_event(now, next_progress));
+        }
+    }
+
+    /// When there is something to do again, seen from `now`.
+    Clock::time_point next_event(Clock::time_point now, Clock::time_point next_progress) const {
+        Clock::time_point next = deadline_;
+        if (memory_limit_) next = std::min(next, now + memory_sampling_interval);
+        if (progress_interval_.count() > 0) next = std::min(next, next_progress);
+        return next;
+    }
+
+    void wait_until(std::unique_lock<std::mutex>& lock, Clock::time_point time) {
+        const auto finished = [this] { return finished_; };
+        // Waiting until the end of time overflows in the conversion to the system's clock.
+        if (time == Clock::time_point::max())
+            wake_.wait(lock, finished);
+        else
+            wake_.wait_until(lock, time, finished);
+    }
+
+    Run& run_;
+    std::optional<std::uint64_t> memory_limit_;
+    std::chrono::milliseconds progress_interval_;
+    Clock::time_point deadline_ = Clock::time_point::max();
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    bool finished_ = false; // guarded by mutex_
+    std::thread thread_;
+};
+
+Run::Run() = default;
+
+Run::Run(RunOptions options)
+    : threads_(options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency())),
+      seed_(options.seed) {
+    const Clock::time_point start = Clock::now();
+    if (options.time_limit_seconds && !(*options.time_limit_seconds >= 0))
+        throw DomainError("time limit: expected a number of seconds that is not negative, found " +
+                          std::to_string(*options.time_limit_seconds));
+    if (options.memory_limit_bytes && !resident_memory())
+        throw DomainError("memory limit: this system does not tell the memory of a process");
+    if (options.progress) {
+        sink_ = std::make_unique<Sink>(std::move(options.progress), options.progress_interval);
+        progress_due_ = options.progress_interval.count() <= 0;
+    }
+    const bool paced = sink_ && options.progress_interval.count() > 0;
+    if (options.time_limit_seconds || options.memory_limit_bytes || paced)
+        watchdog_ = std::make_unique<Watchdog>(*this, options, start);
+}
+
+Run::~Run() = default;
+
+std::optional<StopReason> Run::stop_reason() const noexcept {
+    const unsigned char reason = stop_.load(std::memory_order_relaxed);
+    if (reason == keep_going) return std::nullopt;
+    return static_cast<StopReason>(reason);
+}
+
+void Run::throw_stopped() const { throw Stopped(*stop_reason()); }
+
+void Run::deliver(const Progress& progress) {
+    const std::lock_guard lock(sink_->mutex);
+    // Another thread may have reported between our look at the flag and now.
+    if (!progress_due_.load(std::memory_order_relaxed)) return;
+    if (sink_->interval.count() > 0) progress_due_.store(false, std::memory_order_relaxed);
+    sink_->call(progress);
+}
+
+} // namespace eliminant::base
