@@ -1,0 +1,81 @@
+#pragma once
+
+#include "eliminant/algebra/polynomial.hpp"
+#include "eliminant/base/run.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace eliminant::groebner {
+
+/// Which critical pair is treated next.
+enum class Selection {
+    normal, ///< least lcm in the ring's order (Buchberger 1985); by degree first where a grading is given
+    sugar,  ///< least sugar, then least lcm (Giovini, Mora, Niesi, Robbiano, Traverso 1991)
+};
+
+/// What a basis computation did, and what each criterion saved.
+struct Statistics {
+    std::uint64_t pairs_treated = 0;         ///< S-polynomials formed and reduced
+    std::uint64_t skipped_by_product = 0;    ///< coprime leading monomials
+    std::uint64_t skipped_by_chain_m = 0;    ///< Gebauer–Möller M: an lcm of a new pair properly divides it
+    std::uint64_t skipped_by_chain_f = 0;    ///< Gebauer–Möller F: another new pair has the same lcm
+    std::uint64_t skipped_by_chain_b = 0;    ///< Gebauer–Möller B: old pairs made superfluous by the new element
+    std::uint64_t zero_reductions = 0;       ///< treated pairs that reduced to zero
+    std::uint64_t reduction_steps = 0;       ///< subtractions of a multiple of a basis element
+    std::uint64_t basis_elements_made = 0;   ///< elements that entered the basis, redundant ones included
+};
+
+struct BuchbergerOptions {
+    Selection selection = Selection::sugar;
+    /// Degrees of the variables for sugar and for degree-by-degree treatment (positive); all 1 when empty. With input
+    /// that is homogeneous for them, the computation proceeds degree by degree and the basis elements of a degree
+    /// are complete when the next one begins.
+    std::vector<std::uint64_t> grading;
+    /// Pairs whose degree (in `grading`) exceeds it are not treated: for homogeneous input the result is then the
+    /// basis up to that degree.
+    std::optional<std::uint64_t> degree_bound;
+    /// Asked for each new element; true ends the computation with that element last in an incomplete basis.
+    std::function<bool(const algebra::Polynomial&)> stop_at;
+};
+
+/// A Groebner basis, or what is known of one.
+struct GroebnerBasis {
+    /// If complete: the reduced basis, ascending by leading monomial; over ℚ primitive integer polynomials with
+    /// positive leading coefficient, over GF(p) monic. Otherwise elements of the ideal, among them all found in the
+    /// degrees that were finished; the last one is the one at which the computation was stopped.
+    std::vector<algebra::Polynomial> elements;
+    bool complete = true;
+    Statistics statistics;
+};
+
+/// The reduced Groebner basis of the ideal of the generators in the order of their ring, by Buchberger's algorithm.
+/// {1} for the unit ideal, empty for the zero ideal. All generators are of `ring` (RingMismatchError).
+/// Over ℚ the arithmetic is fraction-free on primitive integer polynomials. Polls `run`.
+GroebnerBasis buchberger(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
+                         const BuchbergerOptions& options, base::Run& run);
+
+/// The reduced basis of the ideal that a Groebner basis generates: minimal, inter-reduced, normalised, ascending.
+std::vector<algebra::Polynomial> reduced_basis(std::vector<algebra::Polynomial> basis, base::Run& run);
+
+/// Whether every S-polynomial of the elements reduces to zero by them (Buchberger's criterion). It uses no pair
+/// criteria and shares no code with the algorithm; quadratic in the number of elements.
+bool is_groebner(std::span<const algebra::Polynomial> elements, base::Run& run);
+
+/// Whether the elements are the reduced Groebner basis of what they generate, in the normalisation of GroebnerBasis.
+bool is_reduced_groebner(std::span<const algebra::Polynomial> elements, base::Run& run);
+
+} // namespace eliminant::groebner
+
+namespace eliminant {
+using groebner::buchberger;
+using groebner::BuchbergerOptions;
+using groebner::GroebnerBasis;
+using groebner::is_groebner;
+using groebner::is_reduced_groebner;
+using groebner::reduced_basis;
+} // namespace eliminant
