@@ -16,17 +16,6 @@ std::string parse_message(const SourceLocation& where, std::string_view expected
 
 } // namespace
 
-// The destructors are the key functions: they anchor each type's vtable and typeinfo in this one object file,
-// so that an exception thrown in a shared library is caught by type outside it.
-Error::~Error() = default;
-ParseError::~ParseError() = default;
-RingMismatchError::~RingMismatchError() = default;
-OverflowError::~OverflowError() = default;
-DomainError::~DomainError() = default;
-Stopped::~Stopped() = default;
-
-Error::Error(const std::string& message) : std::runtime_error(message) {}
-
 ParseError::ParseError(SourceLocation where, std::string expected, std::string found, std::string line_text)
     : Error(parse_message(where, expected, found)), where_(std::move(where)), expected_(std::move(expected)),
       found_(std::move(found)), line_text_(std::move(line_text)) {}

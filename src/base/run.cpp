@@ -28,12 +28,12 @@ std::optional<std::uint64_t> resident_memory() {
     return resident_pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// The moment `seconds` from `start`; the end of time where that is too far to be represented.
-Clock::time_point deadline_after(Clock::time_point start, double seconds) {
-    const std::chrono::duration<double> limit(seconds);
-    const std::chrono::duration<double> representable = Clock::time_point::max() - start;
-    if (limit >= representable) return Clock::time_point::max();
-    return start + std::chrono::duration_cast<Clock::duration>(limit);
+/// The moment `seconds` after `start`. A century, in seconds, stands for no limit: later moments overflow the
+/// clock.
+Clock::time_point deadline_after(Clock::time_point start, std::optional<double> seconds) {
+    constexpr double century = 3e9;
+    const std::chrono::duration<double> wait(std::min(seconds.value_or(century), century));
+    return start + std::chrono::duration_cast<Clock::duration>(wait);
 }
 
 } // namespace
@@ -48,11 +48,10 @@ struct Run::Sink {
 class Run::Watchdog {
   public:
     Watchdog(Run& run, const RunOptions& options, Clock::time_point start)
-        : run_(run), memory_limit_(options.memory_limit_bytes),
-          progress_interval_(run.sink_ ? run.sink_->interval : std::chrono::milliseconds::zero()) {
-        if (options.time_limit_seconds) deadline_ = deadline_after(start, *options.time_limit_seconds);
-        thread_ = std::thread([this] { watch(); });
-    }
+        : run_(run), deadline_(deadline_after(start, options.time_limit_seconds)),
+          memory_limit_(options.memory_limit_bytes),
+          progress_interval_(run.sink_ ? run.sink_->interval : std::chrono::milliseconds::zero()),
+          thread_([this] { watch(); }) {}
 
     ~Watchdog() {
         {
@@ -80,7 +79,7 @@ class Run::Watchdog {
                 next_progress = now + progress_interval_;
             }
             if (run_.stop_reason()) return;
-            wait_until(lock, next_event(now, next_progress));
+            wake_.wait_until(lock, next_event(now, next_progress), [this] { return finished_; });
         }
     }
 
@@ -92,23 +91,14 @@ class Run::Watchdog {
         return next;
     }
 
-    void wait_until(std::unique_lock<std::mutex>& lock, Clock::time_point time) {
-        const auto finished = [this] { return finished_; };
-        // Waiting until the end of time overflows in the conversion to the system's clock.
-        if (time == Clock::time_point::max())
-            wake_.wait(lock, finished);
-        else
-            wake_.wait_until(lock, time, finished);
-    }
-
     Run& run_;
-    std::optional<std::uint64_t> memory_limit_;
-    std::chrono::milliseconds progress_interval_;
-    Clock::time_point deadline_ = Clock::time_point::max();
+    const Clock::time_point deadline_;
+    const std::optional<std::uint64_t> memory_limit_;
+    const std::chrono::milliseconds progress_interval_;
     std::mutex mutex_;
     std::condition_variable wake_;
     bool finished_ = false; // guarded by mutex_
-    std::thread thread_;
+    std::thread thread_;    // last: it uses all of the above
 };
 
 Run::Run() = default;

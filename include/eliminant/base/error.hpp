@@ -13,11 +13,7 @@ namespace eliminant::base {
 /// user. (Exhausted memory stays `std::bad_alloc`.)
 class Error : public std::runtime_error {
   public:
-    /// \param message one line, no trailing full stop
-    explicit Error(const std::string& message);
-    ~Error() override;
-    Error(const Error&) = default;
-    Error& operator=(const Error&) = default;
+    using std::runtime_error::runtime_error;
 };
 
 /// A place in a text that was read.
@@ -36,9 +32,6 @@ class ParseError : public Error {
     /// \param line_text the whole offending line without its line break, so that a caret can be drawn under
     /// it
     ParseError(SourceLocation where, std::string expected, std::string found, std::string line_text);
-    ~ParseError() override;
-    ParseError(const ParseError&) = default;
-    ParseError& operator=(const ParseError&) = default;
 
     const SourceLocation& where() const { return where_; }      ///< Where the text stops making sense.
     const std::string& expected() const { return expected_; }   ///< What could have stood there.
@@ -56,18 +49,12 @@ class ParseError : public Error {
 class RingMismatchError : public Error {
   public:
     using Error::Error;
-    ~RingMismatchError() override;
-    RingMismatchError(const RingMismatchError&) = default;
-    RingMismatchError& operator=(const RingMismatchError&) = default;
 };
 
 /// An exponent or degree does not fit the machine word that holds it.
 class OverflowError : public Error {
   public:
     using Error::Error;
-    ~OverflowError() override;
-    OverflowError(const OverflowError&) = default;
-    OverflowError& operator=(const OverflowError&) = default;
 };
 
 /// An argument outside the domain of the operation: division by zero, an element without inverse, an order
@@ -75,9 +62,6 @@ class OverflowError : public Error {
 class DomainError : public Error {
   public:
     using Error::Error;
-    ~DomainError() override;
-    DomainError(const DomainError&) = default;
-    DomainError& operator=(const DomainError&) = default;
 };
 
 /// Why a computation ended before its result.
@@ -96,9 +80,6 @@ std::string_view to_string(StopReason reason);
 class Stopped : public Error {
   public:
     explicit Stopped(StopReason reason);
-    ~Stopped() override;
-    Stopped(const Stopped&) = default;
-    Stopped& operator=(const Stopped&) = default;
 
     StopReason reason() const { return reason_; } ///< Why.
 

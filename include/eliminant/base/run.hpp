@@ -18,20 +18,20 @@ namespace eliminant::base {
 
 /// What a computation says about itself while it runs.
 struct Progress {
-    std::string_view phase;  ///< What is being done, as `reduction`; a string literal.
-    std::uint64_t done = 0;  ///< Units finished.
-    std::uint64_t total = 0; ///< Units known so far, 0 if unknown; it may grow.
-    std::string note;        ///< Anything else worth a glance, as `degree 7, 120 pairs`.
+    std::string_view phase = {}; ///< What is being done, as `reduction`; a string literal.
+    std::uint64_t done = 0;      ///< Units finished.
+    std::uint64_t total = 0;     ///< Units known so far, 0 if unknown; it may grow.
+    std::string note = {};       ///< Anything else worth a glance, as `degree 7, 120 pairs`.
 };
 
 /// What the caller of a long computation may ask of it. All fields have a meaning without being set.
 struct RunOptions {
-    std::optional<double> time_limit_seconds;        ///< Wall-clock time from the construction of the Run.
-    std::optional<std::uint64_t> memory_limit_bytes; ///< Resident memory of the whole process.
-    unsigned threads = 1;                            ///< Worker threads; 0 is one for each hardware thread.
-    std::uint64_t seed = 0;                          ///< Start of every random choice.
+    std::optional<double> time_limit_seconds = {}; ///< Wall-clock time from the construction of the Run.
+    std::optional<std::uint64_t> memory_limit_bytes = {}; ///< Resident memory of the whole process.
+    unsigned threads = 1;   ///< Worker threads; 0 is one for each hardware thread.
+    std::uint64_t seed = 0; ///< Start of every random choice.
     /// Receives progress; called from whatever thread reports, never twice at once. It must not throw.
-    std::function<void(const Progress&)> progress;
+    std::function<void(const Progress&)> progress = {};
     /// Least time between two calls of `progress`; zero passes every report on.
     std::chrono::milliseconds progress_interval{100};
 };
