@@ -16,7 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// How often memory is looked at. A process that writes fresh pages at 4 GB/s outgrows its limit by 20 MB
-/// meanwhile; one look costs about 10 µs.
+/// meanwhile; one look costs about 5 µs.
 constexpr std::chrono::milliseconds memory_sampling_interval{5};
 
 /// Resident memory of this process in bytes; nothing where the system does not tell.

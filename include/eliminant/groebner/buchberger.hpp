@@ -30,6 +30,7 @@ struct Statistics {
     std::uint64_t basis_elements_made = 0;   ///< elements that entered the basis, redundant ones included
 };
 
+/// How a basis is computed; the answer does not depend on it.
 struct BuchbergerOptions {
     Selection selection = Selection::sugar;
     /// Degrees of the variables for sugar and for degree-by-degree treatment (positive); all 1 when empty. With input
