@@ -39,8 +39,11 @@ Clock::time_point deadline_after(Clock::time_point start, std::optional<double> 
 } // namespace
 
 struct Run::Sink {
-    std::function<void(const Progress&)> call;
-    std::chrono::milliseconds interval;
+    Sink(std::function<void(const Progress&)> function, std::chrono::milliseconds least_interval)
+        : call(std::move(function)), interval(least_interval) {}
+
+    const std::function<void(const Progress&)> call;
+    const std::chrono::milliseconds interval;
     std::mutex mutex; // one report at a time
 };
 
