@@ -1,0 +1,171 @@
+#include "eliminant/algebra/arithmetic.hpp"
+#include "eliminant/groebner/buchberger.hpp"
+#include "eliminant/ideal/operations.hpp"
+#include "ideal/parameter_trick.hpp"
+#include "ideal/ring_change.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace eliminant::ideal {
+
+using algebra::MonomialOrder;
+using algebra::Polynomial;
+using algebra::PolynomialBuilder;
+using algebra::Ring;
+
+namespace {
+
+using Weights = std::vector<std::uint64_t>;
+
+/// The weighted degree that all terms of f share; nullopt if they do not, or for 0.
+std::optional<std::uint64_t> common_degree(const Polynomial& f, const Weights& weights) {
+    std::optional<std::uint64_t> common;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        std::uint64_t degree = 0;
+        for (std::size_t j = 0; j < weights.size(); ++j) {
+            std::uint64_t part = 0;
+            if (__builtin_mul_overflow(f.exponent(i, j), weights[j], &part) ||
+                __builtin_add_overflow(degree, part, &degree))
+                return std::nullopt;
+        }
+        if (common.value_or(degree) != degree) return std::nullopt;
+        common = degree;
+    }
+    return common;
+}
+
+/// Positive weights for which I and f are homogeneous: all 1, or those of the ring's order.
+std::optional<Weights> grading_of(const Ideal& I, const Polynomial& f) {
+    for (const Weights& weights : {Weights(I.ring().variable_count(), 1), I.ring().order().weights()}) {
+        const auto is_positive = [](std::uint64_t w) { return w > 0; };
+        const auto is_homogeneous = [&](const Polynomial& g) {
+            return common_degree(g, weights).has_value();
+        };
+        if (!weights.empty() && std::ranges::all_of(weights, is_positive) && is_homogeneous(f) &&
+            std::ranges::all_of(I.generators(), is_homogeneous))
+            return weights;
+    }
+    return std::nullopt;
+}
+
+MonomialOrder revlex_order(const Weights& weights) {
+    if (std::ranges::all_of(weights, [](std::uint64_t w) { return w == 1; }))
+        return MonomialOrder::degrevlex();
+    return MonomialOrder::weighted(weights, MonomialOrder::TieBreak::revlex);
+}
+
+/// f divided by the highest power of a variable that divides it.
+Polynomial without_factor(const Polynomial& f, std::size_t variable) {
+    std::uint64_t least = f.exponent(0, variable);
+    for (std::size_t i = 1; i < f.size(); ++i) least = std::min(least, f.exponent(i, variable));
+    if (least == 0) return f;
+    std::vector<std::uint64_t> exponents(f.ring().variable_count(), 0);
+    exponents[variable] = least;
+    return divide_exactly(f, Polynomial::term(algebra::Monomial(f.ring(), exponents), 1));
+}
+
+/// I : x^∞ for homogeneous I. In weighted degrevlex with x last, x divides a homogeneous polynomial if it
+/// divides its leading monomial; so dividing a Groebner basis by powers of x leaves one, that of the
+/// saturation.
+Ideal divide_out_variable(const Ideal& I, std::size_t variable, const Weights& weights, base::Run& run) {
+    const std::size_t n = I.ring().variable_count();
+    std::vector<std::size_t> sequence(n);
+    std::iota(sequence.begin(), sequence.end(), std::size_t{0});
+    sequence.erase(sequence.begin() + static_cast<std::ptrdiff_t>(variable));
+    sequence.push_back(variable);
+    Weights permuted;
+    for (const std::size_t i : sequence) permuted.push_back(weights[i]);
+    const Ring ring =
+        subring(I.ring().with_order(MonomialOrder::degrevlex()), sequence).with_order(revlex_order(permuted));
+    const bool is_last = variable + 1 == n;
+    const std::vector<Polynomial> basis =
+        is_last ? I.groebner_basis(ring.order(), run)
+                : Ideal(ring, in_ring(I.generators(), ring)).groebner_basis(run);
+    std::vector<Polynomial> divided;
+    for (const Polynomial& f : basis) divided.push_back(without_factor(f, n - 1));
+    if (divided == basis) return I;
+    divided = groebner::reduced_basis(std::move(divided), run);
+    if (is_last) return Ideal::from_groebner_basis(I.ring(), ring.order(), std::move(divided));
+    return {I.ring(), in_ring(divided, I.ring())};
+}
+
+/// f(x, y) for the last variable y of its ring replaced by `value`, which is of the ring of the others.
+Polynomial with_last_variable(const Polynomial& f, const Polynomial& value, base::Run& run) {
+    const Ring& target = value.ring();
+    const std::size_t y = target.variable_count();
+    const auto degree = static_cast<std::size_t>(std::max<std::int64_t>(f.degree(y), 0));
+    std::vector<PolynomialBuilder> coefficients(degree + 1, PolynomialBuilder(target));
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        std::vector<std::uint64_t> exponents = f.monomial(i).exponents();
+        const auto power = static_cast<std::size_t>(exponents.back());
+        exponents.pop_back();
+        const mpq_class c = f.coefficient(i);
+        coefficients[power].add(algebra::Integer(c.get_num()), algebra::Integer(c.get_den()), exponents);
+    }
+    Polynomial result(target);
+    for (std::size_t k = coefficients.size(); k-- > 0;)
+        result = multiply(result, value, run) + coefficients[k].build();
+    return result;
+}
+
+/// I : f^∞ for homogeneous I and f: f gets the name y, which is divided out of I + (y − f).
+Ideal divide_out_polynomial(const Ideal& I, const Polynomial& f, Weights weights, base::Run& run) {
+    weights.push_back(*common_degree(f, weights));
+    std::vector<std::string> names = I.ring().names();
+    names.push_back(fresh_name(I.ring(), "y"));
+    const Ring ring(I.ring().field(), std::move(names), revlex_order(weights));
+    const std::size_t y = I.ring().variable_count();
+    std::vector<Polynomial> generators = in_ring(I.generators(), ring);
+    generators.push_back(Polynomial::variable(ring, y) - f.in_ring(ring));
+    const Ideal graph(ring, std::move(generators));
+    const Ideal saturated = divide_out_variable(graph, y, weights, run);
+    std::vector<Polynomial> images;
+    for (const Polynomial& g : saturated.groebner_basis(run)) images.push_back(with_last_variable(g, f, run));
+    return {I.ring(), std::move(images)};
+}
+
+/// (I + (1 − t·f)) ∩ K[x].
+Ideal rabinowitsch(const Ideal& I, const Polynomial& f, base::Run& run) {
+    const WithParameter extended(I.ring());
+    std::vector<Polynomial> generators;
+    for (const Polynomial& g : I.known_generators()) generators.push_back(extended.embed(g));
+    generators.push_back(extended.one() - multiply(extended.t(), extended.embed(f), run));
+    return extended.eliminate_t(std::move(generators), run);
+}
+
+} // namespace
+
+Ideal saturate(const Ideal& I, const Polynomial& f, base::Run& run) {
+    require_same_ring(I.ring(), f.ring(), "saturation of an ideal by a polynomial");
+    if (f.is_zero()) return Ideal::unit(I.ring());
+    Ideal result = I;
+    Polynomial rest = f;
+    for (std::size_t i = 0; i < I.ring().variable_count() && !result.is_zero(); ++i) {
+        const Polynomial cofactor = without_factor(rest, i);
+        if (cofactor == rest) continue;
+        rest = cofactor;
+        const Polynomial variable = Polynomial::variable(I.ring(), i);
+        const auto grading = grading_of(result, variable);
+        result =
+            grading ? divide_out_variable(result, i, *grading, run) : rabinowitsch(result, variable, run);
+    }
+    if (result.is_zero() || rest.is_constant()) return result;
+    const auto grading = grading_of(result, rest);
+    return grading ? divide_out_polynomial(result, rest, *grading, run) : rabinowitsch(result, rest, run);
+}
+
+Ideal saturate(const Ideal& I, const Ideal& J, base::Run& run) {
+    require_same_ring(I.ring(), J.ring(), "saturation of an ideal by an ideal");
+    Ideal result = Ideal::unit(I.ring());
+    for (const Polynomial& f : J.generators()) {
+        const Ideal part = saturate(I, f, run);
+        if (I.contains(part, run)) return I; // no saturation is smaller than I
+        result = intersect(result, part, run);
+    }
+    return result;
+}
+
+} // namespace eliminant::ideal

@@ -1,0 +1,190 @@
+#include "eliminant/ideal/ideal.hpp"
+
+#include "eliminant/groebner/buchberger.hpp"
+#include "eliminant/ideal/operations.hpp"
+#include "support/random_ideals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace eliminant::ideal {
+namespace {
+
+using test::describe;
+using test::number;
+using test::Random;
+using test::random_ideal;
+using test::random_polynomial;
+using test::variables;
+
+Ring qq(std::vector<std::string> names, MonomialOrder order = MonomialOrder::degrevlex()) {
+    return {CoefficientField::rationals(), std::move(names), std::move(order)};
+}
+
+TEST(Ideal, HasTheReducedBasisOfItsOrder) {
+    Random random(11);
+    base::Run run;
+    for (const Ring& ring : test::sample_rings()) {
+        const Ideal I = random_ideal(ring, random, 3, 4, 2);
+        for (const MonomialOrder& order : {ring.order(), MonomialOrder::lex(), MonomialOrder::degrevlex()}) {
+            const std::vector<Polynomial>& basis = I.groebner_basis(order, run);
+            EXPECT_TRUE(is_reduced_groebner(basis, run)) << describe(I);
+            for (const Polynomial& f : I.generators())
+                EXPECT_TRUE(normal_form(f.in_ring(ring.with_order(order)), basis, run).is_zero())
+                    << describe(I);
+        }
+    }
+}
+
+TEST(Ideal, ContainsExactlyTheCombinationsOfItsGenerators) {
+    Random random(12);
+    base::Run run;
+    for (const Ring& ring : test::sample_rings()) {
+        const Ideal I = random_ideal(ring, random, 2, 3, 2);
+        Polynomial member(ring);
+        for (const Polynomial& f : I.generators()) member += f * random_polynomial(ring, random, 3, 2);
+        EXPECT_TRUE(I.contains(member, run)) << describe(I);
+        EXPECT_TRUE(I.normal_form(member, run).is_zero()) << describe(I);
+
+        const Polynomial f = random_polynomial(ring, random, 5, 3);
+        const Polynomial remainder = I.normal_form(f, run);
+        EXPECT_EQ(I.normal_form(f + member, run), remainder) << describe(I);
+        EXPECT_TRUE(I.contains(f - remainder, run)) << describe(I);
+        EXPECT_EQ(I.contains(f, run), remainder.is_zero()) << describe(I);
+        for (const Polynomial& g : I.groebner_basis(run)) {
+            for (std::size_t i = 0; i < remainder.size(); ++i)
+                EXPECT_FALSE(g.leading_monomial().divides(remainder.monomial(i))) << describe(I);
+        }
+    }
+}
+
+TEST(Ideal, EqualityDoesNotDependOnTheGenerators) {
+    Random random(13);
+    base::Run run;
+    for (const Ring& ring : test::sample_rings()) {
+        const Ideal I = random_ideal(ring, random, 3, 3, 2);
+        std::vector<Polynomial> others = I.generators();
+        if (others.size() < 2) continue;
+        others[0] += others[1] * random_polynomial(ring, random, 2, 1);
+        others.push_back(others[0]);
+        others.insert(others.begin(), Polynomial(ring));
+        const Ideal J(ring, others);
+        EXPECT_TRUE(I.equals(J, run)) << describe(I);
+        EXPECT_TRUE(I.contains(J, run) && J.contains(I, run)) << describe(I);
+        const Ideal larger = sum(I, Ideal(ring, {random_polynomial(ring, random, 3, 2)}));
+        EXPECT_EQ(larger.equals(I, run), I.contains(larger, run)) << describe(I);
+    }
+}
+
+TEST(Ideal, ZeroAndUnitIdealsAreOrdinary) {
+    base::Run run;
+    for (std::size_t n : {0U, 1U, 3U}) {
+        for (const CoefficientField& field : test::sample_fields()) {
+            const Ring ring(field, test::numbered_names(n));
+            const Ideal zero(ring, {Polynomial(ring), Polynomial(ring)});
+            const Ideal unit(ring, {number(ring, 3), number(ring, 5)});
+            EXPECT_TRUE(zero.is_zero());
+            EXPECT_FALSE(zero.is_unit(run));
+            EXPECT_TRUE(zero.groebner_basis(run).empty());
+            EXPECT_TRUE(unit.is_unit(run));
+            EXPECT_EQ(unit.groebner_basis(run), std::vector{number(ring, 1)});
+            EXPECT_TRUE(unit.equals(Ideal::unit(ring), run));
+            EXPECT_FALSE(unit.equals(zero, run));
+            EXPECT_TRUE(zero.equals(Ideal(ring), run));
+            EXPECT_TRUE(unit.contains(zero, run));
+            EXPECT_FALSE(zero.contains(unit, run));
+            EXPECT_TRUE(zero.contains(Polynomial(ring), run));
+            EXPECT_EQ(zero.normal_form(number(ring, 1), run), number(ring, 1));
+        }
+    }
+}
+
+TEST(Ideal, RejectsForeignPolynomials) {
+    base::Run run;
+    const Ring a = qq({"x", "y"});
+    const Ring b = qq({"x", "y"}, MonomialOrder::lex());
+    const Polynomial f = Polynomial::variable(b, "x");
+    EXPECT_THROW(Ideal(a, {f}), RingMismatchError);
+    EXPECT_THROW(static_cast<void>(Ideal(a).contains(f, run)), RingMismatchError);
+    EXPECT_THROW(static_cast<void>(Ideal(a).equals(Ideal(b), run)), RingMismatchError);
+    EXPECT_THROW(static_cast<void>(sum(Ideal(a), Ideal(b))), RingMismatchError);
+    EXPECT_THROW(static_cast<void>(Ideal::from_groebner_basis(a, MonomialOrder::degrevlex(), {f})),
+                 RingMismatchError);
+}
+
+TEST(Ideal, KeepsItsBases) {
+    base::Run run;
+    const Ring ring = qq({"x", "y"});
+    const auto [x, y] = variables<2>(ring);
+    const Ideal I(ring, {x * x - y, x * y - number(ring, 1)});
+    const Ideal copy = I;
+    EXPECT_EQ(&I.groebner_basis(run), &copy.groebner_basis(run));
+    EXPECT_EQ(&I.groebner_basis(MonomialOrder::lex(), run), &copy.groebner_basis(MonomialOrder::lex(), run));
+
+    // A stopped run computes nothing, but what is known is still known.
+    base::Run stopped;
+    stopped.request_stop();
+    EXPECT_EQ(I.groebner_basis(stopped), copy.groebner_basis(run));
+    EXPECT_THROW(static_cast<void>(I.groebner_basis(MonomialOrder::deglex(), stopped)), Stopped);
+    EXPECT_TRUE(is_reduced_groebner(I.groebner_basis(MonomialOrder::deglex(), run), run));
+}
+
+/// Cyclic 8-roots over ℚ: far out of reach of the time that the tests below allow.
+Ideal long_work() {
+    const Ring ring = qq(test::numbered_names(8));
+    std::vector<Polynomial> generators;
+    for (std::size_t length = 1; length < 8; ++length) {
+        Polynomial f(ring);
+        for (std::size_t start = 0; start < 8; ++start) {
+            Polynomial product = number(ring, 1);
+            for (std::size_t i = 0; i < length; ++i) product *= Polynomial::variable(ring, (start + i) % 8);
+            f += product;
+        }
+        generators.push_back(f);
+    }
+    Polynomial product = number(ring, 1);
+    for (std::size_t i = 0; i < 8; ++i) product *= Polynomial::variable(ring, i);
+    generators.push_back(product - number(ring, 1));
+    return {ring, generators};
+}
+
+TEST(Ideal, CanBeStoppedInsideABasisAndInsideASaturation) {
+    const Ideal I = long_work();
+    const auto stops = [](auto&& work) {
+        base::Run run({.time_limit_seconds = 0.05});
+        EXPECT_THROW(work(run), Stopped);
+    };
+    stops([&](base::Run& run) { static_cast<void>(I.groebner_basis(run)); });
+    stops([&](base::Run& run) { static_cast<void>(I.groebner_basis(MonomialOrder::lex(), run)); });
+    stops([&](base::Run& run) { static_cast<void>(saturate(I, Polynomial::variable(I.ring(), 0), run)); });
+    stops([&](base::Run& run) {
+        static_cast<void>(radical_contains(I, Polynomial::variable(I.ring(), 0), run));
+    });
+    stops([&](base::Run& run) {
+        static_cast<void>(intersect(I, Ideal(I.ring(), {Polynomial::variable(I.ring(), 0)}), run));
+    });
+}
+
+TEST(Ideal, ServesManyThreads) {
+    Random random(14);
+    const Ring ring = qq({"x", "y", "z"}, MonomialOrder::lex());
+    const Ideal I = random_ideal(ring, random, 3, 4, 2);
+    std::vector<const std::vector<Polynomial>*> seen(4);
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        threads.emplace_back([&, i] {
+            base::Run run;
+            seen[i] = &I.groebner_basis(i % 2 == 0 ? MonomialOrder::lex() : MonomialOrder::degrevlex(), run);
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(seen[0], seen[2]);
+    EXPECT_EQ(seen[1], seen[3]);
+    base::Run run;
+    EXPECT_TRUE(is_reduced_groebner(*seen[0], run));
+    EXPECT_TRUE(is_reduced_groebner(*seen[1], run));
+}
+
+} // namespace
+} // namespace eliminant::ideal
