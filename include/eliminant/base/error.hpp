@@ -29,8 +29,7 @@ class ParseError : public Error {
     /// \param where the first character that does not fit
     /// \param expected what could have stood there, with its article: `an exponent`
     /// \param found what stands there: `'x'`, `end of line`
-    /// \param line_text the whole offending line without its line break, so that a caret can be drawn under
-    /// it
+    /// \param line_text the whole offending line without its line break, so that a caret can point into it
     ParseError(SourceLocation where, std::string expected, std::string found, std::string line_text);
 
     const SourceLocation& where() const { return where_; }      ///< Where the text stops making sense.

@@ -38,26 +38,23 @@ struct RunOptions {
 
 /// The handle of one long computation, passed by reference to everything that may take longer than 10 ms.
 ///
-/// A computation ends early in exactly these ways, each by a Stopped thrown from poll() in the computing
+/// A computation ends early in exactly these ways, each a Stopped thrown from poll() in the computing
 /// threads:
 /// - `interrupted`: somebody called request_stop(), possibly from a signal handler or another thread;
 /// - `time_limit`: `time_limit_seconds` passed since the Run was made;
 /// - `memory_limit`: the resident memory of the process was seen above `memory_limit_bytes`. It is sampled
-/// every
-///   few milliseconds, so a computation can exceed the limit by what it allocates between two samples, or
-///   within one multiplication of huge integers, which cannot be interrupted.
+///   every few milliseconds, so a computation can exceed the limit by what it allocates between two samples,
+///   or within one multiplication of huge integers, which cannot be interrupted.
 ///
 /// The first reason wins and stays: a stopped Run is not reusable. Results finished before are unaffected.
 ///
-/// Computations never read the clock. Limits and the pace of progress are kept by a watchdog thread, which
-/// exists only when one of them was asked for; a default Run costs nothing but one relaxed atomic load a
-/// poll().
+/// Computations never read the clock. A watchdog thread keeps the limits and the pace of progress; it exists
+/// only when one of them was asked for, and a poll() costs one relaxed atomic load either way.
 class Run {
   public:
     Run();
-    /// \throws DomainError if a limit is negative or not a number, or if memory is limited on a system that
-    /// does not
-    ///   tell how much a process uses (no `/proc/self/statm`)
+    /// \throws DomainError if the time limit is negative or not a number, or if memory is limited on a system
+    ///   that does not tell how much a process uses (no `/proc/self/statm`)
     explicit Run(RunOptions options);
     ~Run();
     Run(const Run&) = delete;
@@ -80,7 +77,7 @@ class Run {
     /// Why a stop was requested, if it was: for threads that must wind up instead of throwing.
     std::optional<StopReason> stop_reason() const noexcept;
 
-    /// Passes on progress if anybody listens and the last report is old enough; otherwise `describe` is not
+    /// Passes progress on if anybody listens and the last report is old enough; else `describe` is not
     /// called. \param describe returns a Progress
     template <std::invocable F>
     requires std::convertible_to<std::invoke_result_t<F>, Progress>
@@ -90,11 +87,10 @@ class Run {
     }
 
     unsigned threads() const noexcept { return threads_; } ///< Worker threads to use, at least 1.
-    std::uint64_t seed() const noexcept {
-        return seed_;
-    } ///< Every random choice of the computation starts here.
+    std::uint64_t seed() const noexcept { return seed_; }  ///< Every random choice starts here.
 
   private:
+    struct Sink;
     class Watchdog;
     static constexpr unsigned char keep_going = 0;
 
@@ -105,7 +101,6 @@ class Run {
     std::atomic<bool> progress_due_{false};
     unsigned threads_ = 1;
     std::uint64_t seed_ = 0;
-    struct Sink;
     std::unique_ptr<Sink> sink_;         // null when nobody listens
     std::unique_ptr<Watchdog> watchdog_; // last, so that its thread ends before what it uses
 
