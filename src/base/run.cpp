@@ -31,7 +31,7 @@ std::optional<std::uint64_t> resident_memory() {
     const ssize_t length = read(file, text.data(), text.size());
     close(file);
     const char* const end = text.data() + std::max<ssize_t>(length, 0);
-    const char* const space = std::find(text.data(), end, ' ');
+    const char* const space = std::find<const char*>(text.data(), end, ' ');
     std::uint64_t pages = 0;
     if (space == end || std::from_chars(space + 1, end, pages).ec != std::errc{}) return std::nullopt;
     return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
