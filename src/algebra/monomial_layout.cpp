@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace eliminant::algebra {
 
@@ -22,7 +23,8 @@ std::optional<std::size_t> single_variable(const MonomialOrder::Key& key) {
 
 } // namespace
 
-MonomialLayout::MonomialLayout(std::span<const MonomialOrder::Key> keys, std::size_t variable_count, unsigned bits)
+MonomialLayout::MonomialLayout(std::span<const MonomialOrder::Key> keys, std::size_t variable_count,
+                               unsigned bits)
     : bits_(bits), words_(0), field_count_(0), field_mask_(~Word{0} >> (64 - bits)), guard_(0) {
     constexpr std::size_t absent = ~std::size_t{0};
     std::vector<std::size_t> field_of(variable_count, absent);
@@ -31,8 +33,10 @@ MonomialLayout::MonomialLayout(std::span<const MonomialOrder::Key> keys, std::si
         const auto variable = single_variable(key);
         if (variable && field_of[*variable] != absent) continue; // decided by an earlier key already
         if (key.reversed) reversed.push_back(field_count_);
-        if (variable) field_of[*variable] = field_count_;
-        else forms_.push_back({place_of(field_count_), key.weights});
+        if (variable)
+            field_of[*variable] = field_count_;
+        else
+            forms_.push_back({place_of(field_count_), key.weights});
         ++field_count_;
     }
     for (std::size_t& field_index : field_of) {
@@ -46,6 +50,60 @@ MonomialLayout::MonomialLayout(std::span<const MonomialOrder::Key> keys, std::si
     for (const std::size_t index : reversed) {
         const Place place = place_of(index);
         flip_[place.word] |= field_mask_ << place.shift;
+    }
+    find_deciding_fields();
+}
+
+void MonomialLayout::find_deciding_fields() {
+    // Gaussian elimination on the fields as linear forms of the exponents, over the integers modulo 2^64 with
+    // odd pivots only. A field that reduces to 0 is a combination of earlier ones modulo 2^64; its value is
+    // below 2^63, so they determine it. (Over the rationals more fields would, as x by 2x + y and y, but not
+    // by wrapping arithmetic.) A remainder without odd entry decides too but reduces nothing.
+    struct Pivot {
+        std::vector<Word> form;        ///< 1 at `variable`, 0 at the variables of the pivots before
+        std::vector<Word> combination; ///< of the deciding fields, which gives the form
+        std::size_t variable;
+    };
+    const auto subtract_multiple = [](std::vector<Word>& from, Word factor, const std::vector<Word>& what) {
+        for (std::size_t i = 0; i < what.size(); ++i) from[i] -= factor * what[i];
+    };
+    std::vector<Pivot> pivots;
+    for (std::size_t index = 0; index < field_count_; ++index) {
+        const Place place = place_of(index);
+        const auto at = [place](Place other) {
+            return other.word == place.word && other.shift == place.shift;
+        };
+        std::vector<Word> form(places_.size(), 0);
+        for (const Form& known : forms_) {
+            if (at(known.place)) form = known.weights;
+        }
+        for (std::size_t v = 0; v < places_.size(); ++v) {
+            if (at(places_[v])) form[v] = 1;
+        }
+        std::vector<Word> combination(deciding_.size(), 0); // the form as reduced so far
+        for (const Pivot& pivot : pivots) {
+            const Word factor = form[pivot.variable];
+            if (factor == 0) continue;
+            subtract_multiple(form, factor, pivot.form);
+            subtract_multiple(combination, factor, pivot.combination);
+        }
+        if (std::ranges::all_of(form, [](Word w) { return w == 0; })) {
+            for (std::size_t i = 0; i < deciding_.size(); ++i)
+                columns_[i * words_ + place.word] -= combination[i] << place.shift;
+            continue;
+        }
+        deciding_.push_back(index);
+        columns_.resize(deciding_.size() * words_, 0);
+        columns_[(deciding_.size() - 1) * words_ + place.word] = Word{1} << place.shift;
+        combination.push_back(1);
+        const auto odd = std::ranges::find_if(form, [](Word w) { return (w & 1) != 0; });
+        if (odd == form.end()) continue;
+        Word inverse = *odd; // Newton's iteration doubles the correct bits, 3 to begin with
+        for (int i = 0; i < 5; ++i) inverse *= 2 - *odd * inverse;
+        const auto variable = static_cast<std::size_t>(odd - form.begin());
+        for (Word& w : form) w *= inverse;
+        for (Word& w : combination) w *= inverse;
+        pivots.push_back({std::move(form), std::move(combination), variable});
     }
 }
 
@@ -63,13 +121,15 @@ bool MonomialLayout::complete(Word* a) const {
 
 bool MonomialLayout::lcm(const Word* a, const Word* b, Word* out) const {
     std::fill_n(out, words_, Word{0});
-    for (const Place& place : places_) out[place.word] |= std::max(field(a, place), field(b, place)) << place.shift;
+    for (const Place& place : places_)
+        out[place.word] |= std::max(field(a, place), field(b, place)) << place.shift;
     return complete(out);
 }
 
 void MonomialLayout::gcd(const Word* a, const Word* b, Word* out) const {
     std::fill_n(out, words_, Word{0});
-    for (const Place& place : places_) out[place.word] |= std::min(field(a, place), field(b, place)) << place.shift;
+    for (const Place& place : places_)
+        out[place.word] |= std::min(field(a, place), field(b, place)) << place.shift;
     static_cast<void>(complete(out)); // keys of a divisor cannot overflow
 }
 
@@ -91,7 +151,8 @@ std::uint64_t MonomialLayout::divisibility_mask(const Word* a) const {
     const std::size_t n = places_.size();
     std::uint64_t mask = 0;
     if (n == 0) return mask;
-    // Variable i owns 64/n thresholds (at least one; beyond 64 variables they share), 1, 2, 3, … of its exponent.
+    // Variable i owns 64/n thresholds (at least one; beyond 64 variables they share), 1, 2, 3, … of its
+    // exponent.
     const std::size_t per_variable = std::max<std::size_t>(1, 64 / n);
     for (std::size_t i = 0; i < n; ++i) {
         const std::uint64_t e = std::min<std::uint64_t>(field(a, places_[i]), per_variable);

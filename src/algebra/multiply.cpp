@@ -1,57 +1,134 @@
-#include "eliminant/algebra/arithmetic.hpp"
+#include "multiply.hpp"
 
-#include "term_arithmetic.hpp"
+#include "multiply_kernels.hpp"
+#include "multiply_keys.hpp"
+#include "multiply_plan.hpp"
+#include "multiply_sums.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <utility>
 
 namespace eliminant::algebra {
 
 namespace {
 
-/// Σ over i in [first, last) of a_i·b, summed in a balanced tree of merges.
-template <class Domain, class Terms>
-Terms product_of_range(const Domain& domain, const Terms& a, std::size_t first, std::size_t last, const Terms& b,
-                       base::Run& run) {
-    if (last - first == 1) {
-        run.poll();
-        Terms row = b;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            if (!b.layout->multiply(a.monomial(first), b.monomial(j), row.monomial(j)))
-                throw OverflowError("an exponent or weighted degree exceeds 2^63 - 1");
-            row.coefficients[j] = domain.multiply(a.coefficients[first], b.coefficients[j]);
+template <class Element>
+using Operands = std::pair<const TermList<Element>&, const TermList<Element>&>;
+
+/// One product once its spans, layout and accumulators are settled.
+template <class Sums>
+class Product {
+  public:
+    using Element = typename Sums::Element;
+    using Operand = typename Sums::Operand;
+
+    Product(const KeyLine& line, const Sums& sums, const ProductOptions& options, base::Run& run)
+        : line_(line), sums_(sums), options_(options), run_(run), decoder_(line), result_(line.target()) {}
+
+    template <class Key>
+    TermList<Element> compute(const KeyedTerms<Key, Operand>& a, const KeyedTerms<Key, Operand>& b) {
+        const auto emit = [this](const Key& key, Element&& value) {
+            result_.monomials.resize(result_.monomials.size() + result_.layout->words());
+            decode_key(decoder_, key,
+                       result_.monomials.data() + result_.monomials.size() - result_.layout->words());
+            result_.coefficients.push_back(std::move(value));
+        };
+        WindowChoice choice;
+        choice.swapped = b.size() < a.size();
+        if constexpr (!std::same_as<Key, LongKey>) {
+            if (options_.kernel != ProductKernel::heap)
+                choice = choose_window(count_windows(a.keys), count_windows(b.keys),
+                                       static_cast<double>(a.keys[0] + b.keys[0]) + 1,
+                                       sizeof(typename Sums::Cell));
+            if (options_.kernel == ProductKernel::window && choice.bits == 0) choice.bits = min_window_bits;
+            if (options_.window_bits != 0) choice.bits = options_.window_bits;
+            if (choice.bits != 0) {
+                multiply_by_window(choice.swapped ? b : a, choice.swapped ? a : b, choice.bits, sums_, run_,
+                                   emit);
+                return std::move(result_);
+            }
         }
-        return row;
+        multiply_by_heap(choice.swapped ? b : a, choice.swapped ? a : b, sums_, run_, emit);
+        return std::move(result_);
     }
-    const std::size_t middle = first + (last - first) / 2;
-    const Terms left = product_of_range(domain, a, first, middle, b, run);
-    const Terms right = product_of_range(domain, a, middle, last, b, run);
-    return linear_combination(domain, left, Domain::one(), right, Domain::one());
+
+  private:
+    const KeyLine& line_;
+    const Sums& sums_;
+    const ProductOptions& options_;
+    base::Run& run_;
+    KeyDecoder decoder_;
+    TermList<Element> result_;
+};
+
+/// The widest fields of a product, and the narrowest layout that holds them.
+const MonomialLayout& product_layout(const Ring& ring, std::span<const FieldSpan> a,
+                                     std::span<const FieldSpan> b) {
+    std::uint64_t widest = 0;
+    for (std::size_t f = 0; f < a.size(); ++f) widest = std::max(widest, a[f].high + b[f].high);
+    return ring.layout_for(widest);
 }
 
-template <class Domain, class Terms>
-Terms product(const Domain& domain, const Ring& ring, const Terms& a, const Terms& b, base::Run& run) {
-    const auto maxima_a = a.field_maxima();
-    const auto maxima_b = b.field_maxima();
-    std::uint64_t widest = 0;
-    for (std::size_t i = 0; i < maxima_a.size(); ++i) widest = std::max(widest, maxima_a[i] + maxima_b[i]);
-    const MonomialLayout& layout = ring.layout_for(widest);
-    if (a.empty() || b.empty()) return Terms(layout);
-    return product_of_range(domain, *repacked(a, layout), 0, a.size(), *repacked(b, layout), run);
+template <class Sums>
+std::vector<typename Sums::Operand> operands_of(const Sums&,
+                                                const std::vector<typename Sums::Element>& coefficients) {
+    if constexpr (std::same_as<typename Sums::Operand, typename Sums::Element>)
+        return coefficients;
+    else
+        return small_values(coefficients);
+}
+
+template <class Sums>
+TermList<typename Sums::Element> product(const Ring& ring, const TermList<typename Sums::Element>& a,
+                                         const TermList<typename Sums::Element>& b, const Sums& sums,
+                                         const ProductOptions& options, base::Run& run) {
+    const auto spans_a = field_spans(*a.layout, a.monomials);
+    const auto spans_b = field_spans(*b.layout, b.monomials);
+    const KeyLine line(product_layout(ring, spans_a, spans_b), spans_a, spans_b);
+    Product<Sums> engine(line, sums, options, run);
+    const auto compute = [&]<class Key>(std::type_identity<Key>) {
+        const auto keyed = [&](const auto& terms, const auto& spans) {
+            return KeyedTerms<Key, typename Sums::Operand>{
+                as_keys<Key>(line.encode(*terms.layout, terms.monomials, spans), line.words()),
+                operands_of(sums, terms.coefficients)};
+        };
+        return engine.compute(keyed(a, spans_a), keyed(b, spans_b));
+    };
+    if (line.words() == 1) return compute(std::type_identity<std::uint64_t>{});
+    if (line.words() == 2) return compute(std::type_identity<base::UInt128>{});
+    return compute(std::type_identity<LongKey>{});
+}
+
+IntegerTerms integer_product(const Ring& ring, const IntegerTerms& a, const IntegerTerms& b,
+                             const ProductOptions& options, base::Run& run) {
+    const CoefficientSize size_a = coefficient_size(a.coefficients);
+    const CoefficientSize size_b = coefficient_size(b.coefficients);
+    if (!size_a.all_small || !size_b.all_small) return product(ring, a, b, IntegerSums{}, options, run);
+    const std::size_t bits = product_bits(size_a, size_b);
+    if (bits < 64) return product(ring, a, b, WordSums<std::int64_t>{}, options, run);
+    if (bits < 128) return product(ring, a, b, WordSums<base::Int128>{}, options, run);
+    return product(ring, a, b, TripleSums{}, options, run);
 }
 
 } // namespace
 
-Polynomial multiply(const Polynomial& a, const Polynomial& b, base::Run& run) {
+Polynomial multiply_with(const Polynomial& a, const Polynomial& b, const ProductOptions& options,
+                         base::Run& run) {
     require_same_ring(a.ring(), b.ring(), "product of polynomials");
-    if (!a.ring().field().is_rationals()) {
-        const PrimeDomain domain{a.ring().field().prime_field()};
-        return Polynomial::from_terms(a.ring(),
-                                      product(domain, a.ring(), a.residue_terms(), b.residue_terms(), run));
-    }
-    return Polynomial::from_terms(a.ring(),
-                                  product(IntegerDomain{}, a.ring(), a.integer_terms(), b.integer_terms(), run),
-                                  a.denominator() * b.denominator());
+    const Ring& ring = a.ring();
+    if (a.is_zero() || b.is_zero()) return Polynomial(ring);
+    if (ring.field().is_rationals())
+        return Polynomial::from_terms(
+            ring, integer_product(ring, a.integer_terms(), b.integer_terms(), options, run),
+            a.denominator() * b.denominator());
+    const ResidueSums sums(ring.field().prime_field());
+    return Polynomial::from_terms(ring,
+                                  product(ring, a.residue_terms(), b.residue_terms(), sums, options, run));
+}
+
+Polynomial multiply(const Polynomial& a, const Polynomial& b, base::Run& run) {
+    return multiply_with(a, b, {}, run);
 }
 
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {

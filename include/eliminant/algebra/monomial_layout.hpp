@@ -9,11 +9,12 @@
 
 namespace eliminant::algebra {
 
-/// How monomials of one ring are packed in machine words at one field width, and the kernels on packed monomials.
+/// How monomials of one ring are packed in machine words at one field width, and the kernels on packed
+/// monomials.
 ///
-/// A packed monomial is a row of equally wide fields, most significant first: the sort keys of the order (those
-/// that are the exponent of a single variable serve as that exponent), then the exponents not yet present. Each
-/// field keeps its top bit free, the guard. degrevlex in x, y, z at 16 bits:
+/// A packed monomial is a row of equally wide fields, most significant first: the sort keys of the order
+/// (those that are the exponent of a single variable serve as that exponent), then the exponents not yet
+/// present. Each field keeps its top bit free, the guard. degrevlex in x, y, z at 16 bits:
 ///
 ///     word 0   | 0 degree | 0 z | 0 y | 0 x |       flip = | 0000 | ffff | ffff | 0000 |
 ///
@@ -21,8 +22,8 @@ namespace eliminant::algebra {
 /// * quotient = word-wise difference; a divides b iff (b | guard) − a leaves every guard set;
 /// * order = first differing word, compared as unsigned after XOR with `flip` (fields that compare reversed).
 ///
-/// All keys are non-negative linear forms (MonomialOrder::keys), so the rules hold for keys and exponents alike.
-/// Following Monagan and Pearce (2007) and Roune and Stillman (2012).
+/// All keys are non-negative linear forms (MonomialOrder::keys), so the rules hold for keys and exponents
+/// alike. Following Monagan and Pearce (2007) and Roune and Stillman (2012).
 class MonomialLayout {
   public:
     using Word = std::uint64_t;
@@ -101,8 +102,8 @@ class MonomialLayout {
     [[nodiscard]] bool encode(std::span<const std::uint64_t> exponents, Word* out) const;
     void decode(const Word* a, std::span<std::uint64_t> exponents) const;
 
-    /// One bit for each of 64 threshold tests on exponents, such that a | b implies mask(a) ⊆ mask(b): one AND
-    /// rejects most non-divisors.
+    /// One bit for each of 64 threshold tests on exponents, such that a | b implies mask(a) ⊆ mask(b): one
+    /// AND rejects most non-divisors.
     std::uint64_t divisibility_mask(const Word* a) const;
 
     /// Raises each of field_count() maxima to the fields of a.
@@ -110,25 +111,42 @@ class MonomialLayout {
     /// Copies a monomial of a layout of the same ring with another width; false if it does not fit.
     [[nodiscard]] bool repack(const MonomialLayout& from, const Word* a, Word* out) const;
 
-  private:
+    /// Where a field lies.
     struct Place {
         std::uint32_t word;
         std::uint32_t shift;
     };
+    /// Place of field `index`, keys first.
+    Place place_of(std::size_t index) const {
+        const std::size_t per_word = 64 / bits_;
+        return {static_cast<std::uint32_t>(index / per_word),
+                static_cast<std::uint32_t>(64 - bits_ * (index % per_word + 1))};
+    }
+    /// Whether the smaller value of field `index` is the larger monomial.
+    bool is_reversed(std::size_t index) const {
+        const Place place = place_of(index);
+        return ((flip_[place.word] >> place.shift) & 1) != 0;
+    }
+    /// Fields that determine every field after them which is not listed, and so decide the order: in
+    /// degrevlex all but the exponent of the first variable. Most significant first.
+    std::span<const std::size_t> deciding_fields() const { return deciding_; }
+    /// words() words for the i-th deciding field, so that, word by word and modulo 2^64,
+    /// monomial = Σ (value of the i-th deciding field) · column(i).
+    const Word* column(std::size_t i) const { return columns_.data() + i * words_; }
+
+  private:
     /// A key that is not a single exponent, recomputed when exponents are given.
     struct Form {
         Place place;
         std::vector<std::uint64_t> weights;
     };
 
-    Place place_of(std::size_t field_index) const {
-        const std::size_t per_word = 64 / bits_;
-        return {static_cast<std::uint32_t>(field_index / per_word),
-                static_cast<std::uint32_t>(64 - bits_ * (field_index % per_word + 1))};
+    std::uint64_t field(const Word* a, Place place) const {
+        return (a[place.word] >> place.shift) & field_mask_;
     }
-    std::uint64_t field(const Word* a, Place place) const { return (a[place.word] >> place.shift) & field_mask_; }
     /// Fills in all forms of a monomial whose exponents are set and whose forms are 0.
     [[nodiscard]] bool complete(Word* a) const;
+    void find_deciding_fields();
 
     unsigned bits_;
     std::size_t words_;
@@ -138,6 +156,8 @@ class MonomialLayout {
     std::vector<Word> flip_;
     std::vector<Place> places_; ///< of each variable's exponent
     std::vector<Form> forms_;
+    std::vector<std::size_t> deciding_;
+    std::vector<Word> columns_; ///< words_ words for each deciding field
 };
 
 } // namespace eliminant::algebra
