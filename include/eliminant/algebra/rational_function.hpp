@@ -1,0 +1,47 @@
+#pragma once
+
+#include "eliminant/algebra/expression.hpp"
+#include "eliminant/algebra/polynomial.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace eliminant::algebra {
+
+/// numerator/denominator, both of one ring, the denominator not zero.
+///
+/// Not necessarily in lowest terms. A constant denominator is 1.
+struct RationalFunction {
+    Polynomial numerator;
+    Polynomial denominator;
+
+    /// f/1.
+    explicit RationalFunction(Polynomial f);
+    /// Throws DomainError for a zero denominator, RingMismatchError.
+    RationalFunction(Polynomial n, Polynomial d);
+
+    bool is_polynomial() const { return denominator.is_one(); }
+};
+
+/// What the names and the functions of a formula stand for. A callback that knows no meaning throws, usually by
+/// SourceText::fail(offset, …) on the source of the expression.
+struct Meaning {
+    std::function<RationalFunction(std::string_view name, std::size_t offset)> name;
+    /// May be empty for formulas without functions.
+    std::function<RationalFunction(std::string_view function, ExpressionView argument, std::size_t offset)> call = {};
+};
+
+/// The value of a formula in the fraction field of `ring`.
+/// \throws ParseError at a division by zero, an exponent or a constant that is too large; Stopped; what the callbacks
+/// throw
+RationalFunction evaluate(const ExpressionView& expression, const Ring& ring, const Meaning& meaning, base::Run& run);
+
+/// `f` or `(n)/(d)`; reads back as the same rational function.
+std::string to_string(const RationalFunction& f);
+
+} // namespace eliminant::algebra
+
+namespace eliminant {
+using algebra::RationalFunction;
+} // namespace eliminant
