@@ -61,7 +61,8 @@ Polynomial PolynomialReader::read(std::size_t& position) {
     do {
         run_.poll();
         if (!terms_.read(position, sum)) position = read_general_term(position, sum);
-    } while (position < source_.size() && !is_stop(Scanner(source_, position).peek().kind));
+        // Both readers leave the position at a sign, a character that ends the sum, or the end.
+    } while (position < source_.size() && std::string_view("=,;").find(source_.text()[position]) == std::string_view::npos);
     return sum.build();
 }
 

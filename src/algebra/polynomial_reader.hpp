@@ -55,6 +55,8 @@ class PolynomialReader {
 
     /// The references outlive it.
     PolynomialReader(const Ring& ring, const base::SourceText& source, Dialect dialect, base::Run& run);
+    PolynomialReader(const PolynomialReader&) = delete;
+    PolynomialReader& operator=(const PolynomialReader&) = delete;
 
     /// Names that stand for polynomials besides the variables.
     void set_definitions(const Definitions& definitions) { definitions_ = &definitions; }

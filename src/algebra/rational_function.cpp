@@ -1,6 +1,7 @@
 #include "eliminant/algebra/rational_function.hpp"
 
 #include "eliminant/algebra/arithmetic.hpp"
+#include "eliminant/algebra/gcd.hpp"
 #include "eliminant/algebra/parse.hpp"
 #include "eliminant/algebra/print.hpp"
 #include "eliminant/base/error.hpp"
@@ -65,7 +66,7 @@ class RationalArithmetic {
     RationalFunction result(Value value) const {
         Polynomial numerator = polynomials_.polynomial(std::move(value.numerator));
         if (!value.denominator) return RationalFunction(std::move(numerator));
-        return {std::move(numerator), *std::move(value.denominator)};
+        return in_lowest_terms({std::move(numerator), *std::move(value.denominator)}, polynomials_.run());
     }
 
   private:
@@ -103,26 +104,23 @@ class RationalArithmetic {
             a.denominator = std::move(numerator);
         }
     }
-    /// The denominator of a if that of b divides it, and so on: sums over powers of one polynomial stay over the
-    /// highest power.
+    /// Brings a and b over the lcm of their denominators.
     void bring_to_one_denominator(Value& a, Value& b, std::size_t offset) const {
-        if (!a.denominator && !b.denominator) return;
-        const Polynomial one = Polynomial::constant(polynomials_.ring(), 1);
-        const Polynomial left = a.denominator.value_or(one);
-        const Polynomial right = b.denominator.value_or(one);
-        if (left == right) return;
-        if (auto factor = try_divide(left, right, polynomials_.run())) {
-            polynomials_.multiply(b.numerator, *std::move(factor), offset);
-            b.denominator = left;
+        if (a.denominator == b.denominator) return;
+        const auto is_multiple_of_all = [](const Value& v, const Value& w) { return v.denominator && !w.denominator; };
+        if (is_multiple_of_all(a, b)) polynomials_.multiply(b.numerator, *a.denominator, offset);
+        else if (is_multiple_of_all(b, a)) polynomials_.multiply(a.numerator, *b.denominator, offset);
+        if (!a.denominator || !b.denominator) {
+            if (!a.denominator) a.denominator = b.denominator;
             return;
         }
-        auto factor = try_divide(right, left, polynomials_.run());
-        const bool divides = factor.has_value();
-        polynomials_.multiply(a.numerator, divides ? *std::move(factor) : right, offset);
-        if (!divides) polynomials_.multiply(b.numerator, left, offset);
-        if (divides) a.denominator = right;
-        else multiply_denominator(a, right, offset);
-        b.denominator = a.denominator;
+        base::Run& run = polynomials_.run();
+        const Polynomial common = gcd(*a.denominator, *b.denominator, run);
+        Polynomial a_cofactor = divide_exactly(*a.denominator, common, run);
+        Polynomial b_cofactor = divide_exactly(*b.denominator, common, run);
+        polynomials_.multiply(a.numerator, b_cofactor, offset);
+        polynomials_.multiply(b.numerator, std::move(a_cofactor), offset);
+        multiply_denominator(a, std::move(b_cofactor), offset);
     }
 
     PolynomialArithmetic polynomials_;
@@ -141,6 +139,16 @@ RationalFunction::RationalFunction(Polynomial n, Polynomial d) : numerator(std::
         numerator = numerator.scaled(1 / denominator.leading_coefficient());
         denominator = Polynomial::constant(numerator.ring(), 1);
     }
+}
+
+RationalFunction in_lowest_terms(const RationalFunction& f, base::Run& run) {
+    if (f.is_polynomial()) return f;
+    const Polynomial common = gcd(f.numerator, f.denominator, run);
+    const Polynomial numerator = divide_exactly(f.numerator, common, run);
+    const Polynomial denominator = divide_exactly(f.denominator, common, run);
+    // What primitive_part() takes out of the denominator, with its sign.
+    const mpq_class unit = denominator.leading_coefficient() / denominator.primitive_part().leading_coefficient();
+    return {numerator.scaled(1 / unit), denominator.primitive_part()};
 }
 
 RationalFunction evaluate(const ExpressionView& expression, const Ring& ring, const Meaning& meaning, base::Run& run) {

@@ -45,7 +45,7 @@ Polynomial parse_polynomial(const Ring& ring, const base::SourceText& source);
 /// \throws ParseError, Stopped
 Polynomial parse_equation(const Ring& ring, const base::SourceText& source, base::Run& run);
 
-/// A quotient of polynomials in the variables of `ring`.
+/// A quotient of polynomials in the variables of `ring`, in lowest terms.
 /// \throws ParseError, Stopped
 RationalFunction parse_rational_function(const Ring& ring, const base::SourceText& source, base::Run& run);
 RationalFunction parse_rational_function(const Ring& ring, const base::SourceText& source);

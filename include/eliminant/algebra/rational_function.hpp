@@ -32,16 +32,20 @@ struct Meaning {
     std::function<RationalFunction(std::string_view function, ExpressionView argument, std::size_t offset)> call = {};
 };
 
-/// The value of a formula in the fraction field of `ring`.
+/// Numerator and denominator coprime, the denominator a primitive part (Polynomial::primitive_part). Unique.
+RationalFunction in_lowest_terms(const RationalFunction& f, base::Run& run);
+
+/// The value of a formula in the fraction field of `ring`, in lowest terms.
 /// \throws ParseError at a division by zero, an exponent or a constant that is too large; Stopped; what the callbacks
 /// throw
 RationalFunction evaluate(const ExpressionView& expression, const Ring& ring, const Meaning& meaning, base::Run& run);
 
-/// `f` or `(n)/(d)`; reads back as the same rational function.
+/// `f` or `(n)/(d)`, as they are; reads back as the same rational function.
 std::string to_string(const RationalFunction& f);
 
 } // namespace eliminant::algebra
 
 namespace eliminant {
+using algebra::in_lowest_terms;
 using algebra::RationalFunction;
 } // namespace eliminant
