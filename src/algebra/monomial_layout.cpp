@@ -167,6 +167,14 @@ void MonomialLayout::update_maxima(const Word* a, std::span<std::uint64_t> maxim
     for (std::size_t i = 0; i < field_count_; ++i) maxima[i] = std::max(maxima[i], field(a, place_of(i)));
 }
 
+void MonomialLayout::pack_fields(std::span<const std::uint64_t> values, Word* out) const {
+    std::fill_n(out, words_, Word{0});
+    for (std::size_t i = 0; i < field_count_; ++i) {
+        const Place place = place_of(i);
+        out[place.word] |= values[i] << place.shift;
+    }
+}
+
 bool MonomialLayout::repack(const MonomialLayout& from, const Word* a, Word* out) const {
     std::fill_n(out, words_, Word{0});
     const std::uint64_t limit = max_field();

@@ -108,6 +108,8 @@ class MonomialLayout {
 
     /// Raises each of field_count() maxima to the fields of a.
     void update_maxima(const Word* a, std::span<std::uint64_t> maxima) const;
+    /// Packs one value a field, each at most max_field(): a bound for monomials rather than a monomial.
+    void pack_fields(std::span<const std::uint64_t> values, Word* out) const;
     /// Copies a monomial of a layout of the same ring with another width; false if it does not fit.
     [[nodiscard]] bool repack(const MonomialLayout& from, const Word* a, Word* out) const;
 
