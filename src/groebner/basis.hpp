@@ -14,15 +14,16 @@ using algebra::MonomialLayout;
 using algebra::TermList;
 using Word = MonomialLayout::Word;
 
-/// An element of a basis under construction: monic over GF(p), primitive with positive leading coefficient over ℤ.
+/// An element of a basis under construction: monic over GF(p), primitive with positive leading coefficient
+/// over ℤ.
 template <class Element>
 struct BasisElement {
     TermList<Element> terms;
     std::vector<Word> field_maxima; ///< packed: the largest value of each field over all terms
     std::uint64_t sugar = 0;
-    std::uint64_t excess = 0;  ///< sugar minus the degree of the leading monomial
-    std::uint64_t cost = 0;    ///< what a reduction by it costs; cheaper reducers are preferred
-    bool redundant = false;    ///< a later element's leading monomial divides this one's
+    std::uint64_t excess = 0; ///< sugar minus the degree of the leading monomial
+    std::uint64_t cost = 0;   ///< what a reduction by it costs; cheaper reducers are preferred
+    bool redundant = false;   ///< a later element's leading monomial divides this one's
 };
 
 /// The elements found so far, with what the search for a reducer reads kept apart in contiguous arrays.
@@ -104,8 +105,8 @@ void Basis<Element>::widen(const MonomialLayout& layout) {
     }
 }
 
-/// Thrown inside the engine where a monomial does not fit the fields of the working layout; the engine then widens
-/// the layout and repeats the step.
+/// Thrown inside the engine where a monomial does not fit the fields of the working layout; the engine then
+/// widens the layout and repeats the step.
 struct LayoutTooNarrow {};
 
 } // namespace eliminant::groebner

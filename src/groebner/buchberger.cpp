@@ -17,13 +17,15 @@ using algebra::Ring;
 
 namespace {
 
-const TermList<std::uint32_t>& terms_of(const Polynomial& f, const algebra::PrimeDomain&) { return f.residue_terms(); }
+const TermList<std::uint32_t>& terms_of(const Polynomial& f, const algebra::PrimeDomain&) {
+    return f.residue_terms();
+}
 const TermList<algebra::Integer>& terms_of(const Polynomial& f, const algebra::IntegerDomain&) {
     return f.integer_terms();
 }
 
-/// One run of Buchberger's algorithm. The working layout starts as narrow as the input allows and is widened, the
-/// step being repeated, whenever a monomial does not fit.
+/// One run of Buchberger's algorithm. The working layout starts as narrow as the input allows and is widened,
+/// the step being repeated, whenever a monomial does not fit.
 template <class Domain>
 class Computation {
   public:
@@ -40,13 +42,9 @@ class Computation {
         }
     }
 
-    /// Passes over S-polynomials that vanish modulo a prime, from the moment at which numbers become so long that
-    /// this is cheaper than to reduce them, and to do so a second time for the proof.
-    void use_shadow()
-    requires(!Domain::is_field)
-    {
-        shadow_.emplace(basis_, grading_, run_);
-    }
+    /// Passes over S-polynomials that vanish modulo a prime, from the moment at which numbers become so long
+    /// that this is cheaper than to reduce them, and to do so a second time for the proof.
+    void use_shadow() requires(!Domain::is_field) { shadow_.emplace(basis_, grading_, run_); }
 
     GroebnerBasis run() {
         while (!queue_.empty() && !stopped_) {
@@ -74,18 +72,22 @@ class Computation {
     }
 
     void add_generator(const Polynomial& f) {
-        BasisElement<Element> element{widened(terms_of(f.primitive_part(), domain_), *layout_), {}, 0, 0, 0, false};
+        BasisElement<Element> element{
+            widened(terms_of(f.primitive_part(), domain_), *layout_), {}, 0, 0, 0, false};
         element.field_maxima.resize(layout_->words());
         layout_->pack_fields(element.terms.field_maxima(), element.field_maxima.data());
-        queue_.add_generator(*layout_, static_cast<std::uint32_t>(generators_.size()), element.terms.monomial(0));
+        queue_.add_generator(*layout_, static_cast<std::uint32_t>(generators_.size()),
+                             element.terms.monomial(0));
         for (std::size_t i = 0; i < element.terms.size(); ++i)
             element.sugar = std::max(element.sugar, grading_.degree(*layout_, element.terms.monomial(i)));
         generators_.push_back(std::move(element));
     }
 
     base::Progress progress() const {
-        return {"Buchberger", result_.statistics.pairs_treated, result_.statistics.pairs_treated + queue_.size(),
-                "degree " + std::to_string(queue_.best().degree) + ", " + std::to_string(basis_.size()) + " elements"};
+        return {"Buchberger", result_.statistics.pairs_treated,
+                result_.statistics.pairs_treated + queue_.size(),
+                "degree " + std::to_string(queue_.best().degree) + ", " + std::to_string(basis_.size()) +
+                    " elements"};
     }
 
     /// Runs a step; false if it met a monomial that did not fit, with everything widened for the next try.
@@ -144,12 +146,14 @@ class Computation {
         basis_.append(std::move(terms), sugar, degree, cost);
         ++result_.statistics.basis_elements_made;
         // Pairs that do not fit the layout make it wider before anything else happens.
-        while (!widening_if_needed([&] { queue_.update(basis_, added, result_.statistics); })) {}
+        while (!widening_if_needed([&] { queue_.update(basis_, added, result_.statistics); })) {
+        }
         for (std::uint32_t i = 0; i < added; ++i) {
             if (!basis_[i].redundant && basis_.layout().divides(basis_.lead(added), basis_.lead(i)))
                 basis_.mark_redundant(i);
         }
-        if (options_.stop_at && options_.stop_at(Polynomial::from_terms(ring_, basis_[added].terms))) stopped_ = true;
+        if (options_.stop_at && options_.stop_at(Polynomial::from_terms(ring_, basis_[added].terms)))
+            stopped_ = true;
     }
 
     /// Minimal basis, each element reduced by the smaller ones, which are reduced already.
@@ -163,7 +167,8 @@ class Computation {
         });
         for (const std::size_t i : minimal) {
             run_.poll();
-            while (!widening_if_needed([&] { reduce_tail(i); })) {}
+            while (!widening_if_needed([&] { reduce_tail(i); })) {
+            }
             result_.elements.push_back(Polynomial::from_terms(ring_, basis_[i].terms).primitive_part());
         }
         return std::move(result_);
@@ -182,9 +187,9 @@ class Computation {
         return std::move(result_);
     }
 
-    /// Cost per term (RowSums::cost: words, roughly) from which numbers count as long. With 2, cyclic-6 takes 18 ms
-    /// instead of 58, henrion-5 130 instead of 400; noon-6 and eco-8, whose numbers stay short, would take twice as
-    /// long with a second pass.
+    /// Cost per term (RowSums::cost: words, roughly) from which numbers count as long. With 2, cyclic-6 takes
+    /// 18 ms instead of 58, henrion-5 130 instead of 400; noon-6 and eco-8, whose numbers stay short, would
+    /// take twice as long with a second pass.
     static constexpr std::uint64_t long_cost = 2;
 
     Domain domain_;
@@ -232,13 +237,14 @@ Statistics& Statistics::operator+=(const Statistics& other) {
     return *this;
 }
 
-GroebnerBasis buchberger(const Ring& ring, std::span<const Polynomial> generators, const BuchbergerOptions& options,
-                         base::Run& run) {
+GroebnerBasis buchberger(const Ring& ring, std::span<const Polynomial> generators,
+                         const BuchbergerOptions& options, base::Run& run) {
     if (!options.grading.empty() && options.grading.size() != ring.variable_count())
         throw DomainError("Groebner basis: the grading has " + std::to_string(options.grading.size()) +
                           " weights, the ring has " + std::to_string(ring.variable_count()) + " variables");
     if (ring.field().is_rationals()) return over_rationals(ring, generators, options, run);
-    return Computation(algebra::PrimeDomain{ring.field().prime_field()}, ring, generators, options, run).run();
+    return Computation(algebra::PrimeDomain{ring.field().prime_field()}, ring, generators, options, run)
+        .run();
 }
 
 } // namespace eliminant::groebner

@@ -7,8 +7,8 @@
 
 namespace eliminant::groebner {
 
-/// The image modulo a word-size prime of a basis over ℤ, kept beside it: it tells quickly that an S-polynomial very
-/// probably reduces to zero. It is a hint and never part of a proof.
+/// The image modulo a word-size prime of a basis over ℤ, kept beside it: it tells quickly that an
+/// S-polynomial very probably reduces to zero. It is a hint and never part of a proof.
 class ModularShadow {
   public:
     /// Refers to all arguments.

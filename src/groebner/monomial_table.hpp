@@ -8,15 +8,17 @@
 
 namespace eliminant::groebner {
 
-/// The monomials that reductions have met, each stored once and named by its index: open addressing over a flat
-/// array. It outlives a single reduction, so what was learnt of a monomial (its reducer) is looked up, not searched.
+/// The monomials that reductions have met, each stored once and named by its index: open addressing over a
+/// flat array. It outlives a single reduction, so what was learnt of a monomial (its reducer) is looked up,
+/// not searched.
 ///
 ///     slots_      | index + 1 or 0 | …          a power of two of them, at most half full
 ///     monomials_  | m₀ words | m₁ words | …
 ///     hashes_     | h₀ | h₁ | …
 ///
-/// The hash Σ wordᵢ·oddᵢ mod 2^64 is additive, as products of monomials are sums of words: the hash of a product
-/// is the sum of the hashes. Words is the number of words of a monomial, 0 for any number known at run time.
+/// The hash Σ wordᵢ·oddᵢ mod 2^64 is additive, as products of monomials are sums of words: the hash of a
+/// product is the sum of the hashes. Words is the number of words of a monomial, 0 for any number known at
+/// run time.
 template <std::size_t Words>
 class MonomialTable {
   public:

@@ -26,13 +26,15 @@ void PairQueue::add_generator(const MonomialLayout& layout, std::uint32_t number
 }
 
 template <class Element>
-std::vector<PairQueue::NewPair> PairQueue::pairs_with(const Basis<Element>& basis, std::uint32_t added) const {
+std::vector<PairQueue::NewPair> PairQueue::pairs_with(const Basis<Element>& basis,
+                                                      std::uint32_t added) const {
     const MonomialLayout& layout = basis.layout();
     const Word* lead = basis.lead(added);
     std::vector<NewPair> fresh;
     for (std::uint32_t i = 0; i < added; ++i) {
         if (basis[i].redundant) continue;
-        NewPair entry{{i, added, 0, 0, std::vector<Word>(layout.words())}, layout.coprime(basis.lead(i), lead)};
+        NewPair entry{{i, added, 0, 0, std::vector<Word>(layout.words())},
+                      layout.coprime(basis.lead(i), lead)};
         if (!layout.lcm(basis.lead(i), lead, entry.pair.lcm.data())) throw LayoutTooNarrow{};
         entry.pair.degree = grading_.degree(layout, entry.pair.lcm.data());
         // Sugar of an S-polynomial: degree of the lcm plus the larger of sugar − degree of the two.
@@ -42,12 +44,13 @@ std::vector<PairQueue::NewPair> PairQueue::pairs_with(const Basis<Element>& basi
     return fresh;
 }
 
-/// Criteria M and F of Gebauer and Möller (1988) and the product criterion, on pairs that share their new element.
+/// Criteria M and F of Gebauer and Möller (1988) and the product criterion, on pairs that share their new
+/// element.
 ///
-/// M: the pair (i, k) is superfluous if lcm(j, k) divides lcm(i, k) properly for another pair (j, k), itself kept or
-/// not: properness makes the argument descend. F: of pairs with equal lcm one is enough; and if one of them is
-/// coprime, its S-polynomial reduces to zero and all go. The trap is to apply the product criterion first: a coprime
-/// pair must still excuse others before it goes.
+/// M: the pair (i, k) is superfluous if lcm(j, k) divides lcm(i, k) properly for another pair (j, k), itself
+/// kept or not: properness makes the argument descend. F: of pairs with equal lcm one is enough; and if one
+/// of them is coprime, its S-polynomial reduces to zero and all go. The trap is to apply the product
+/// criterion first: a coprime pair must still excuse others before it goes.
 std::vector<CriticalPair> PairQueue::filter_new(const MonomialLayout& layout, std::vector<NewPair> fresh,
                                                 Statistics& statistics) const {
     std::ranges::sort(fresh, [&](const NewPair& a, const NewPair& b) {
@@ -65,8 +68,10 @@ std::vector<CriticalPair> PairQueue::filter_new(const MonomialLayout& layout, st
         for (std::size_t k = 0; k < kept.size() && !excused; ++k) {
             if ((masks[k] & ~mask) != 0 || !layout.divides(kept[k].pair.lcm.data(), lcm)) continue;
             excused = true;
-            if (layout.equal(kept[k].pair.lcm.data(), lcm)) ++statistics.skipped_by_chain_f;
-            else ++statistics.skipped_by_chain_m;
+            if (layout.equal(kept[k].pair.lcm.data(), lcm))
+                ++statistics.skipped_by_chain_f;
+            else
+                ++statistics.skipped_by_chain_m;
         }
         if (excused) continue;
         kept.push_back(std::move(candidate));
@@ -74,14 +79,16 @@ std::vector<CriticalPair> PairQueue::filter_new(const MonomialLayout& layout, st
     }
     std::vector<CriticalPair> result;
     for (NewPair& entry : kept) {
-        if (entry.coprime) ++statistics.skipped_by_product;
-        else result.push_back(std::move(entry.pair));
+        if (entry.coprime)
+            ++statistics.skipped_by_product;
+        else
+            result.push_back(std::move(entry.pair));
     }
     return result;
 }
 
-/// Criterion B: an old pair (i, j) is superfluous if the new leading monomial divides its lcm and the lcms of (i, k)
-/// and (j, k) both differ from it. With equality the three pairs could excuse one another in a circle.
+/// Criterion B: an old pair (i, j) is superfluous if the new leading monomial divides its lcm and the lcms of
+/// (i, k) and (j, k) both differ from it. With equality the three pairs could excuse one another in a circle.
 template <class Element>
 void PairQueue::filter_old(const Basis<Element>& basis, std::uint32_t added, Statistics& statistics) {
     const MonomialLayout& layout = basis.layout();
@@ -89,7 +96,8 @@ void PairQueue::filter_old(const Basis<Element>& basis, std::uint32_t added, Sta
     std::vector<Word> with_added(layout.words());
     const auto differs = [&](std::uint32_t i, const std::vector<Word>& lcm) {
         // lcm(i, added) divides `lcm` here, so it fits.
-        return layout.lcm(basis.lead(i), lead, with_added.data()) && !layout.equal(with_added.data(), lcm.data());
+        return layout.lcm(basis.lead(i), lead, with_added.data()) &&
+               !layout.equal(with_added.data(), lcm.data());
     };
     const std::size_t removed = std::erase_if(pairs_, [&](const CriticalPair& pair) {
         return pair.first != CriticalPair::generator && layout.divides(lead, pair.lcm.data()) &&

@@ -33,9 +33,9 @@ class PairQueue {
 
     void add_generator(const MonomialLayout& layout, std::uint32_t number, const Word* lead);
 
-    /// Accounts for the element `added`, the last of the basis: forms its pairs with the elements that are not
-    /// redundant, and discards pairs, old and new, that the criteria make superfluous. Throws LayoutTooNarrow
-    /// (and has changed nothing) where an lcm does not fit.
+    /// Accounts for the element `added`, the last of the basis: forms its pairs with the elements that are
+    /// not redundant, and discards pairs, old and new, that the criteria make superfluous. Throws
+    /// LayoutTooNarrow (and has changed nothing) where an lcm does not fit.
     template <class Element>
     void update(const Basis<Element>& basis, std::uint32_t added, Statistics& statistics);
 

@@ -17,12 +17,15 @@ std::vector<Polynomial> reduced_basis(std::vector<Polynomial> basis, base::Run& 
     std::vector<Polynomial> minimal;
     for (Polynomial& f : basis) {
         // Ascending: what divides lm(f) properly comes before f, and of equal ones the first is kept.
-        const auto divides = [&f](const Polynomial& g) { return g.leading_monomial().divides(f.leading_monomial()); };
+        const auto divides = [&f](const Polynomial& g) {
+            return g.leading_monomial().divides(f.leading_monomial());
+        };
         if (std::ranges::none_of(minimal, divides)) minimal.push_back(std::move(f));
     }
     std::vector<Polynomial> reduced;
     for (const Polynomial& f : minimal) {
-        // The tail of f involves only smaller monomials, so only smaller, already reduced elements can reduce it.
+        // The tail of f involves only smaller monomials, so only smaller, already reduced elements can reduce
+        // it.
         const Polynomial rest = normal_form(f.tail(), reduced, run);
         reduced.push_back((f.leading_term() + rest).primitive_part());
     }
@@ -31,10 +34,12 @@ std::vector<Polynomial> reduced_basis(std::vector<Polynomial> basis, base::Run& 
 
 bool is_groebner(std::span<const Polynomial> elements, base::Run& run) {
     std::vector<Polynomial> nonzero;
-    std::ranges::copy_if(elements, std::back_inserter(nonzero), [](const Polynomial& f) { return !f.is_zero(); });
+    std::ranges::copy_if(elements, std::back_inserter(nonzero),
+                         [](const Polynomial& f) { return !f.is_zero(); });
     for (std::size_t i = 0; i < nonzero.size(); ++i) {
         for (std::size_t j = i + 1; j < nonzero.size(); ++j) {
-            if (!normal_form(algebra::s_polynomial(nonzero[i], nonzero[j]), nonzero, run).is_zero()) return false;
+            if (!normal_form(algebra::s_polynomial(nonzero[i], nonzero[j]), nonzero, run).is_zero())
+                return false;
         }
     }
     return true;

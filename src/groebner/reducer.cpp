@@ -12,18 +12,18 @@ namespace {
 
 /// Reduction with a table of monomials and a heap of those that are pending.
 ///
-/// A row q·m·g costs one table look-up a term; the heap holds each distinct monomial once, so its logarithm is
-/// paid per distinct monomial and not per term. The greatest pending monomial is taken, its value collected, and
-/// either a row that cancels it is added or it becomes a term of the result. Roune and Stillman (2012) compare
-/// this with geobuckets and plain heaps.
+/// A row q·m·g costs one table look-up a term; the heap holds each distinct monomial once, so its logarithm
+/// is paid per distinct monomial and not per term. The greatest pending monomial is taken, its value
+/// collected, and either a row that cancels it is added or it becomes a term of the result. Roune and
+/// Stillman (2012) compare this with geobuckets and plain heaps.
 template <class Domain, std::size_t Words>
 class TableReducer final : public Reducer<Domain> {
   public:
     using Element = typename Domain::Element;
 
     TableReducer(const Domain& domain, const Basis<Element>& basis, const Grading& grading, base::Run& run)
-        : domain_(domain), basis_(basis), layout_(basis.layout()), grading_(grading), run_(run), table_(layout_.words()),
-          sums_(domain), multiplier_(layout_.words()), scratch_(layout_.words()) {}
+        : domain_(domain), basis_(basis), layout_(basis.layout()), grading_(grading), run_(run),
+          table_(layout_.words()), sums_(domain), multiplier_(layout_.words()), scratch_(layout_.words()) {}
 
     Reduction<Element> s_polynomial(std::size_t i, std::size_t j, const Word* lcm) override {
         begin();
@@ -65,9 +65,9 @@ class TableReducer final : public Reducer<Domain> {
     /// What is known of a monomial of the table.
     struct Entry {
         Cell cell;
-        std::uint32_t pending_in = 0;    ///< the reduction in whose heap it is or was
-        std::uint32_t reducer = none;    ///< best element among those checked whose leading monomial divides it
-        std::uint32_t checked = 0;       ///< number of elements that were checked
+        std::uint32_t pending_in = 0; ///< the reduction in whose heap it is or was
+        std::uint32_t reducer = none; ///< best element among those checked whose leading monomial divides it
+        std::uint32_t checked = 0;    ///< number of elements that were checked
         std::uint64_t mask = 0;
     };
 
@@ -111,7 +111,8 @@ class TableReducer final : public Reducer<Domain> {
 
     /// Adds q·multiplier_·f from its term `first` on.
     void add_row(const BasisElement<Element>& f, Element q, std::size_t first) {
-        if (!layout_.multiply(multiplier_.data(), f.field_maxima.data(), scratch_.data())) throw LayoutTooNarrow{};
+        if (!layout_.multiply(multiplier_.data(), f.field_maxima.data(), scratch_.data()))
+            throw LayoutTooNarrow{};
         run_.poll();
         sums_.add_row(f, std::move(q));
         const std::uint64_t multiplier_hash = table_.hash(multiplier_.data());
@@ -130,8 +131,8 @@ class TableReducer final : public Reducer<Domain> {
         }
     }
 
-    /// A reducer that does not raise the sugar comes first: on cyclic-6 over ℚ that alone is a factor of five, as
-    /// the elements that are in the end redundant have the long coefficients.
+    /// A reducer that does not raise the sugar comes first: on cyclic-6 over ℚ that alone is a factor of
+    /// five, as the elements that are in the end redundant have the long coefficients.
     static bool preferred(const BasisElement<Element>& f, const BasisElement<Element>& g) {
         return f.excess != g.excess ? f.excess < g.excess : f.cost < g.cost;
     }
@@ -146,7 +147,8 @@ class TableReducer final : public Reducer<Domain> {
         const std::uint64_t absent = ~entry.mask;
         const std::uint64_t* masks = basis_.masks().data();
         for (std::size_t k = entry.checked; k < count; ++k) {
-            if ((masks[k] & absent) != 0 || !layout_.divides(basis_.lead(k), m) || basis_[k].redundant) continue;
+            if ((masks[k] & absent) != 0 || !layout_.divides(basis_.lead(k), m) || basis_[k].redundant)
+                continue;
             if (entry.reducer == none || preferred(basis_[k], basis_[entry.reducer]))
                 entry.reducer = static_cast<std::uint32_t>(k);
         }
@@ -167,8 +169,10 @@ class TableReducer final : public Reducer<Domain> {
         std::erase_if(heap_, [&](Index index) {
             Element value = sums_.collect(entries_[index].cell);
             const bool vanishes = Domain::is_zero(value);
-            if (vanishes) entries_[index].pending_in = 0;
-            else values.push_back(std::move(value));
+            if (vanishes)
+                entries_[index].pending_in = 0;
+            else
+                values.push_back(std::move(value));
             return vanishes;
         });
         sums_.collapse(std::move(values));
@@ -222,10 +226,14 @@ template <class Domain>
 std::unique_ptr<Reducer<Domain>> make(const Domain& domain, const Basis<typename Domain::Element>& basis,
                                       const Grading& grading, base::Run& run) {
     switch (basis.layout().words()) {
-    case 1: return std::make_unique<TableReducer<Domain, 1>>(domain, basis, grading, run);
-    case 2: return std::make_unique<TableReducer<Domain, 2>>(domain, basis, grading, run);
-    case 3: return std::make_unique<TableReducer<Domain, 3>>(domain, basis, grading, run);
-    default: return std::make_unique<TableReducer<Domain, 0>>(domain, basis, grading, run);
+    case 1:
+        return std::make_unique<TableReducer<Domain, 1>>(domain, basis, grading, run);
+    case 2:
+        return std::make_unique<TableReducer<Domain, 2>>(domain, basis, grading, run);
+    case 3:
+        return std::make_unique<TableReducer<Domain, 3>>(domain, basis, grading, run);
+    default:
+        return std::make_unique<TableReducer<Domain, 0>>(domain, basis, grading, run);
     }
 }
 

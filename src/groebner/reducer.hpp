@@ -14,9 +14,10 @@ namespace eliminant::groebner {
 /// A normal form and what it took.
 template <class Element>
 struct Reduction {
-    TermList<Element> terms;  ///< up to a factor: monic over GF(p), primitive with positive first coefficient over ℤ
-    std::uint64_t sugar = 0;  ///< counting the steps above the leading term
-    std::uint64_t steps = 0;  ///< multiples of basis elements that were subtracted
+    TermList<Element>
+        terms; ///< up to a factor: monic over GF(p), primitive with positive first coefficient over ℤ
+    std::uint64_t sugar = 0; ///< counting the steps above the leading term
+    std::uint64_t steps = 0; ///< multiples of basis elements that were subtracted
 };
 
 /// Degrees of monomials in a grading by positive weights (all 1 when empty).
@@ -34,9 +35,9 @@ class Grading {
     std::vector<std::uint64_t> weights_;
 };
 
-/// Reduces polynomials by a basis that grows. It keeps what it learns about monomials from one reduction to the
-/// next. All methods throw LayoutTooNarrow where a product does not fit, Stopped when the run is stopped, and may
-/// be called again after either.
+/// Reduces polynomials by a basis that grows. It keeps what it learns about monomials from one reduction to
+/// the next. All methods throw LayoutTooNarrow where a product does not fit, Stopped when the run is stopped,
+/// and may be called again after either.
 template <class Domain>
 class Reducer {
   public:
@@ -51,7 +52,8 @@ class Reducer {
     virtual Reduction<Element> tail(std::size_t i) = 0;
 };
 
-/// A reducer for the present layout of the basis, specialised for its number of words. It refers to all arguments.
+/// A reducer for the present layout of the basis, specialised for its number of words. It refers to all
+/// arguments.
 std::unique_ptr<Reducer<algebra::PrimeDomain>> make_reducer(const algebra::PrimeDomain& domain,
                                                             const Basis<std::uint32_t>& basis,
                                                             const Grading& grading, base::Run& run);

@@ -36,7 +36,8 @@ void RowSums<algebra::IntegerDomain>::begin() {
 void RowSums<algebra::IntegerDomain>::add_term(Cell& cell, std::size_t term) {
     Row& row = rows_.back();
     ++row.pending;
-    const Node node{static_cast<std::uint32_t>(rows_.size() - 1), static_cast<std::uint32_t>(term), cell.head};
+    const Node node{static_cast<std::uint32_t>(rows_.size() - 1), static_cast<std::uint32_t>(term),
+                    cell.head};
     if (free_ != 0) {
         cell.head = free_;
         free_ = std::exchange(nodes_[cell.head - 1], node).next;
@@ -77,7 +78,8 @@ Integer RowSums<algebra::IntegerDomain>::collect(Cell& cell) {
     return Integer(large_sum_);
 }
 
-Integer RowSums<algebra::IntegerDomain>::eliminate(const Integer& value, const BasisElement<Integer>& element) {
+Integer RowSums<algebra::IntegerDomain>::eliminate(const Integer& value,
+                                                   const BasisElement<Integer>& element) {
     const Integer& lc = element.terms.coefficients.front(); // positive
     Integer q = -value;
     if (lc.is_one()) return q;

@@ -10,21 +10,22 @@
 
 namespace eliminant::groebner {
 
-/// Sums of rows, a row being a multiple coefficient·monomial·element of the basis: what has accumulated at each
-/// monomial of a reduction. One type a domain, the same interface:
+/// Sums of rows, a row being a multiple coefficient·monomial·element of the basis: what has accumulated at
+/// each monomial of a reduction. One type a domain, the same interface:
 ///
 ///     begin()                       a new reduction
 ///     add_row(element, q)           the terms that follow belong to q·element
 ///     add_term(cell, term)          adds q·(coefficient of that term) to a cell
 ///     collect(cell)                 the value of the cell, which is left empty
-///     eliminate(value, element)     the q for which value + q·lc(element) = 0, scaling all the rest if needed
-///     emit(value)                   the next coefficient of the result
-///     finish(coefficients)          the result, monic over GF(p), primitive over ℤ
-///     wants_collapse(), collapse()  whether scaling has blown up the numbers, and the cure; see below
+///     eliminate(value, element)     the q for which value + q·lc(element) = 0, scaling all the rest if
+///     needed emit(value)                   the next coefficient of the result finish(coefficients) the
+///     result, monic over GF(p), primitive over ℤ wants_collapse(), collapse()  whether scaling has blown up
+///     the numbers, and the cure; see below
 template <class Domain>
 class RowSums;
 
-/// Over GF(p) products are added up at once. A sum stays below p² < 2^62, so one comparison replaces the division.
+/// Over GF(p) products are added up at once. A sum stays below p² < 2^62, so one comparison replaces the
+/// division.
 template <>
 class RowSums<algebra::PrimeDomain> {
   public:
@@ -35,7 +36,8 @@ class RowSums<algebra::PrimeDomain> {
 
     explicit RowSums(const algebra::PrimeDomain& domain)
         : field_(domain.field),
-          square_(static_cast<std::uint64_t>(domain.field.characteristic()) * domain.field.characteristic()) {}
+          square_(static_cast<std::uint64_t>(domain.field.characteristic()) * domain.field.characteristic()) {
+    }
 
     void begin() { result_.clear(); }
     void add_row(const BasisElement<Element>& element, Element q) {
@@ -51,7 +53,9 @@ class RowSums<algebra::PrimeDomain> {
         cell.sum = 0;
         return value;
     }
-    Element eliminate(Element value, const BasisElement<Element>&) const { return field_.negate(value); } // monic
+    Element eliminate(Element value, const BasisElement<Element>&) const {
+        return field_.negate(value);
+    } // monic
     void emit(Element value) { result_.push_back(value); }
     void finish(std::vector<Element>& coefficients) {
         if (!result_.empty() && result_.front() != 1) {
@@ -72,12 +76,13 @@ class RowSums<algebra::PrimeDomain> {
     std::vector<Element> result_;
 };
 
-/// Over ℤ a cell only lists its products, and the sum is formed when its monomial is reached. So when a step needs
-/// the pending rows multiplied by a number, that is one multiplication a row, not one a term; and every product
-/// is computed once, at its final size. (The idea is that of lazily scaled quotients in Monagan and Pearce 2011.)
+/// Over ℤ a cell only lists its products, and the sum is formed when its monomial is reached. So when a step
+/// needs the pending rows multiplied by a number, that is one multiplication a row, not one a term; and every
+/// product is computed once, at its final size. (The idea is that of lazily scaled quotients in Monagan and
+/// Pearce 2011.)
 ///
-/// The price is that a common content of all that is pending stays unseen: on cyclic-6 numbers of 5,000 bits hid
-/// results of 400. So once the scale has grown much, everything is evaluated and divided by its content.
+/// The price is that a common content of all that is pending stays unseen: on cyclic-6 numbers of 5,000 bits
+/// hid results of 400. So once the scale has grown much, everything is evaluated and divided by its content.
 ///
 ///     cell ──▶ node (row, term) ──▶ node ──▶ …         nodes are recycled when a cell is collected
 ///     rows     | element, q, terms still pending | …
@@ -101,8 +106,8 @@ class RowSums<algebra::IntegerDomain> {
     void emit(Element value) { result_.push_back(std::move(value)); }
     void finish(std::vector<Element>& coefficients);
     bool wants_collapse() const { return scale_bits_ > collapse_bits_; }
-    /// Takes the values of all pending cells (collected), divides them and the result so far by their common content
-    /// and continues with a single row of them: term i of it is values[i].
+    /// Takes the values of all pending cells (collected), divides them and the result so far by their common
+    /// content and continues with a single row of them: term i of it is values[i].
     void collapse(std::vector<Element> values);
     static std::uint64_t cost(const std::vector<Element>& coefficients);
 

@@ -39,8 +39,10 @@ class Integer {
     Integer(const Integer& other) : word_(other.is_small() ? other.word_ : clone(other.word_)) {}
     Integer(Integer&& other) noexcept : word_(std::exchange(other.word_, 0)) {}
     Integer& operator=(const Integer& other) {
-        if (is_small() && other.is_small()) word_ = other.word_;
-        else assign_slow(other);
+        if (is_small() && other.is_small())
+            word_ = other.word_;
+        else
+            assign_slow(other);
         return *this;
     }
     Integer& operator=(Integer&& other) noexcept {
@@ -76,35 +78,41 @@ class Integer {
 
     Integer& operator+=(const Integer& other) {
         std::int64_t sum = 0;
-        if (((word_ | other.word_) & 1) == 0 && !__builtin_add_overflow(word_, other.word_, &sum)) word_ = sum;
-        else add_slow(other);
+        if (((word_ | other.word_) & 1) == 0 && !__builtin_add_overflow(word_, other.word_, &sum))
+            word_ = sum;
+        else
+            add_slow(other);
         return *this;
     }
     Integer& operator-=(const Integer& other) {
         std::int64_t difference = 0;
         if (((word_ | other.word_) & 1) == 0 && !__builtin_sub_overflow(word_, other.word_, &difference))
             word_ = difference;
-        else subtract_slow(other);
+        else
+            subtract_slow(other);
         return *this;
     }
     Integer& operator*=(const Integer& other) {
         std::int64_t product = 0;
         if (((word_ | other.word_) & 1) == 0 && !__builtin_mul_overflow(word_, other.word_ >> 1, &product))
             word_ = product;
-        else multiply_slow(other);
+        else
+            multiply_slow(other);
         return *this;
     }
     /// *this += a·b without a temporary for word-size operands.
     void add_product(const Integer& a, const Integer& b) {
         if (((word_ | a.word_ | b.word_) & 1) == 0)
             set_wide((word_ >> 1) + static_cast<base::Int128>(a.word_ >> 1) * (b.word_ >> 1));
-        else add_product_slow(a, b);
+        else
+            add_product_slow(a, b);
     }
     /// *this −= a·b.
     void subtract_product(const Integer& a, const Integer& b) {
         if (((word_ | a.word_ | b.word_) & 1) == 0)
             set_wide((word_ >> 1) - static_cast<base::Int128>(a.word_ >> 1) * (b.word_ >> 1));
-        else subtract_product_slow(a, b);
+        else
+            subtract_product_slow(a, b);
     }
     /// *this /= d, which must divide it and not be zero (unchecked: the quotient is garbage otherwise).
     void divide_exactly(const Integer& d);
@@ -115,8 +123,10 @@ class Integer {
 
     void negate() {
         // −(−2^62) does not fit inline; every other small value does.
-        if (is_small()) set_wide(-static_cast<base::Int128>(word_ >> 1));
-        else negate_slow();
+        if (is_small())
+            set_wide(-static_cast<base::Int128>(word_ >> 1));
+        else
+            negate_slow();
     }
     Integer operator-() const {
         Integer result(*this);
@@ -171,7 +181,8 @@ class Integer {
         constexpr base::Int128 limit = static_cast<base::Int128>(1) << 62;
         if (value >= -limit && value < limit) [[likely]]
             set_small(static_cast<std::int64_t>(value));
-        else set_wide_slow(value);
+        else
+            set_wide_slow(value);
     }
     void set_small(std::int64_t value) {
         if (!is_small()) release();

@@ -20,15 +20,15 @@ enum class Selection {
 
 /// What a basis computation did, and what each criterion saved.
 struct Statistics {
-    std::uint64_t pairs_treated = 0;         ///< S-polynomials formed and reduced
-    std::uint64_t skipped_by_product = 0;    ///< coprime leading monomials
-    std::uint64_t skipped_by_chain_m = 0;    ///< Gebauer–Möller M: an lcm of a new pair properly divides it
-    std::uint64_t skipped_by_chain_f = 0;    ///< Gebauer–Möller F: another new pair has the same lcm
-    std::uint64_t skipped_by_chain_b = 0;    ///< Gebauer–Möller B: old pairs made superfluous by the new element
-    std::uint64_t zero_reductions = 0;       ///< treated pairs that reduced to zero
-    std::uint64_t reduction_steps = 0;       ///< subtractions of a multiple of a basis element
-    std::uint64_t zero_modulo_prime = 0;     ///< pairs passed over in the first pass over ℚ
-    std::uint64_t basis_elements_made = 0;   ///< elements that entered the basis, redundant ones included
+    std::uint64_t pairs_treated = 0;      ///< S-polynomials formed and reduced
+    std::uint64_t skipped_by_product = 0; ///< coprime leading monomials
+    std::uint64_t skipped_by_chain_m = 0; ///< Gebauer–Möller M: an lcm of a new pair properly divides it
+    std::uint64_t skipped_by_chain_f = 0; ///< Gebauer–Möller F: another new pair has the same lcm
+    std::uint64_t skipped_by_chain_b = 0; ///< Gebauer–Möller B: old pairs made superfluous by the new element
+    std::uint64_t zero_reductions = 0;    ///< treated pairs that reduced to zero
+    std::uint64_t reduction_steps = 0;    ///< subtractions of a multiple of a basis element
+    std::uint64_t zero_modulo_prime = 0;   ///< pairs passed over in the first pass over ℚ
+    std::uint64_t basis_elements_made = 0; ///< elements that entered the basis, redundant ones included
 
     Statistics& operator+=(const Statistics& other);
 };
@@ -37,20 +37,20 @@ struct Statistics {
 /// How far a basis over ℚ is proved.
 enum class Proof {
     full, ///< every S-polynomial that the criteria leave was reduced to zero exactly
-    /// S-polynomials that vanish modulo one word-size prime were taken for zero. All elements are in the ideal, but
-    /// whether they are all is not proved, and no bound of the probability of an error is known.
+    /// S-polynomials that vanish modulo one word-size prime were taken for zero. All elements are in the
+    /// ideal, but whether they are all is not proved, and no bound of the probability of an error is known.
     none,
 };
 
 struct BuchbergerOptions {
     Selection selection = Selection::sugar;
     Proof proof = Proof::full;
-    /// Degrees of the variables for sugar and for degree-by-degree treatment (positive); all 1 when empty. With input
-    /// that is homogeneous for them, the computation proceeds degree by degree and the basis elements of a degree
-    /// are complete when the next one begins.
+    /// Degrees of the variables for sugar and for degree-by-degree treatment (positive); all 1 when empty.
+    /// With input that is homogeneous for them, the computation proceeds degree by degree and the basis
+    /// elements of a degree are complete when the next one begins.
     std::vector<std::uint64_t> grading;
-    /// Pairs whose degree (in `grading`) exceeds it are not treated: for homogeneous input the result is then the
-    /// basis up to that degree.
+    /// Pairs whose degree (in `grading`) exceeds it are not treated: for homogeneous input the result is then
+    /// the basis up to that degree.
     std::optional<std::uint64_t> degree_bound;
     /// Asked for each new element; true ends the computation with that element last in an incomplete basis.
     std::function<bool(const algebra::Polynomial&)> stop_at;
@@ -58,33 +58,37 @@ struct BuchbergerOptions {
 
 /// A Groebner basis, or what is known of one.
 struct GroebnerBasis {
-    /// If complete: the reduced basis, ascending by leading monomial; over ℚ primitive integer polynomials with
-    /// positive leading coefficient, over GF(p) monic. Otherwise elements of the ideal, among them all found in the
-    /// degrees that were finished; the last one is the one at which the computation was stopped.
+    /// If complete: the reduced basis, ascending by leading monomial; over ℚ primitive integer polynomials
+    /// with positive leading coefficient, over GF(p) monic. Otherwise elements of the ideal, among them all
+    /// found in the degrees that were finished; the last one is the one at which the computation was stopped.
     std::vector<algebra::Polynomial> elements;
     bool complete = true;
     Proof proof = Proof::full; ///< over GF(p) always full
     Statistics statistics;
 };
 
-/// The reduced Groebner basis of the ideal of the generators in the order of their ring, by Buchberger's algorithm.
-/// {1} for the unit ideal, empty for the zero ideal. All generators are of `ring` (RingMismatchError).
+/// The reduced Groebner basis of the ideal of the generators in the order of their ring, by Buchberger's
+/// algorithm. {1} for the unit ideal, empty for the zero ideal. All generators are of `ring`
+/// (RingMismatchError).
 ///
-/// Over ℚ the arithmetic is fraction-free on primitive integer polynomials. Most S-polynomials reduce to zero, and over
-/// ℚ they take most of the time (95% on chandra-9), so the basis is found in two passes: the first passes over those
-/// that vanish modulo a prime; the second is the plain algorithm on the elements found together with the input, which
-/// generate the same ideal, and so proves the result, or corrects it. Polls `run`.
+/// Over ℚ the arithmetic is fraction-free on primitive integer polynomials. Most S-polynomials reduce to
+/// zero, and over ℚ they take most of the time (95% on chandra-9), so the basis is found in two passes: the
+/// first passes over those that vanish modulo a prime; the second is the plain algorithm on the elements
+/// found together with the input, which generate the same ideal, and so proves the result, or corrects it.
+/// Polls `run`.
 GroebnerBasis buchberger(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
                          const BuchbergerOptions& options, base::Run& run);
 
-/// The reduced basis of the ideal that a Groebner basis generates: minimal, inter-reduced, normalised, ascending.
+/// The reduced basis of the ideal that a Groebner basis generates: minimal, inter-reduced, normalised,
+/// ascending.
 std::vector<algebra::Polynomial> reduced_basis(std::vector<algebra::Polynomial> basis, base::Run& run);
 
-/// Whether every S-polynomial of the elements reduces to zero by them (Buchberger's criterion). It uses no pair
-/// criteria and shares no code with the algorithm; quadratic in the number of elements.
+/// Whether every S-polynomial of the elements reduces to zero by them (Buchberger's criterion). It uses no
+/// pair criteria and shares no code with the algorithm; quadratic in the number of elements.
 bool is_groebner(std::span<const algebra::Polynomial> elements, base::Run& run);
 
-/// Whether the elements are the reduced Groebner basis of what they generate, in the normalisation of GroebnerBasis.
+/// Whether the elements are the reduced Groebner basis of what they generate, in the normalisation of
+/// GroebnerBasis.
 bool is_reduced_groebner(std::span<const algebra::Polynomial> elements, base::Run& run);
 
 } // namespace eliminant::groebner
