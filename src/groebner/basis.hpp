@@ -23,6 +23,7 @@ struct BasisElement {
     std::uint64_t sugar = 0;
     std::uint64_t excess = 0; ///< sugar minus the degree of the leading monomial
     std::uint64_t cost = 0;   ///< what a reduction by it costs; cheaper reducers are preferred
+    std::uint32_t stamp = 0;  ///< distinguishes all term lists that the basis ever held; never 0
     bool redundant = false;   ///< a later element's leading monomial divides this one's
 };
 
@@ -44,7 +45,7 @@ class Basis {
 
     /// `degree` is that of the leading monomial in the grading of the sugar.
     void append(TermList<Element> terms, std::uint64_t sugar, std::uint64_t degree, std::uint64_t cost) {
-        BasisElement<Element> element{std::move(terms), {}, sugar, sugar - degree, cost, false};
+        BasisElement<Element> element{std::move(terms), {}, sugar, sugar - degree, cost, ++stamps_, false};
         const Word* lm = element.terms.monomial(0);
         leads_.insert(leads_.end(), lm, lm + layout_->words());
         masks_.push_back(layout_->divisibility_mask(lm));
@@ -57,6 +58,7 @@ class Basis {
         elements_[i].terms = std::move(terms);
         elements_[i].field_maxima = packed_field_maxima(elements_[i].terms);
         elements_[i].cost = cost;
+        elements_[i].stamp = ++stamps_;
     }
     TermList<Element> take_terms(std::size_t i) { return std::move(elements_[i].terms); }
 
@@ -70,6 +72,7 @@ class Basis {
     std::vector<BasisElement<Element>> elements_;
     std::vector<Word> leads_;
     std::vector<std::uint64_t> masks_;
+    std::uint32_t stamps_ = 0;
 };
 
 /// All terms in another layout of the same ring that is at least as wide.

@@ -73,7 +73,7 @@ class Computation {
 
     void add_generator(const Polynomial& f) {
         BasisElement<Element> element{
-            widened(terms_of(f.primitive_part(), domain_), *layout_), {}, 0, 0, 0, false};
+            widened(terms_of(f.primitive_part(), domain_), *layout_), {}, 0, 0, 0, 0, false};
         element.field_maxima.resize(layout_->words());
         layout_->pack_fields(element.terms.field_maxima(), element.field_maxima.data());
         queue_.add_generator(*layout_, static_cast<std::uint32_t>(generators_.size()),
