@@ -50,14 +50,7 @@ void decompose_by_derivative(const Polynomial& f, std::size_t variable, Parts& p
 /// roots.
 Polynomial frobenius_root(const Polynomial& f) {
     const std::uint64_t p = f.ring().field().characteristic();
-    PolynomialBuilder builder(f.ring());
-    std::vector<std::uint64_t> exponents(f.ring().variable_count());
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        f.layout().decode(f.packed_monomial(i), exponents);
-        for (std::uint64_t& e : exponents) e /= p;
-        builder.add(Integer(f.residue_terms().coefficients[i]), exponents);
-    }
-    return builder.build();
+    return with_exponents(f, [p](std::size_t /*variable*/, std::uint64_t e) { return e / p; });
 }
 
 /// The decomposition in characteristic p, multiplicities times `scale`.

@@ -76,6 +76,20 @@ inline std::vector<std::uint64_t> monomial_content(const Polynomial& f) {
     return least;
 }
 
+/// f with exponents[i] mapped by change(variable, exponent), which is injective on the exponents of f.
+template <class Change>
+Polynomial with_exponents(const Polynomial& f, const Change& change) {
+    PolynomialBuilder builder(f.ring());
+    std::vector<std::uint64_t> exponents(f.ring().variable_count());
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        f.layout().decode(f.packed_monomial(i), exponents);
+        for (std::size_t v = 0; v < exponents.size(); ++v) exponents[v] = change(v, exponents[v]);
+        if (f.ring().field().is_rationals()) builder.add(f.integer_terms().coefficients[i], f.denominator(), exponents);
+        else builder.add(Integer(f.residue_terms().coefficients[i]), exponents);
+    }
+    return builder.build();
+}
+
 /// f divided by a monomial that divides all its terms.
 inline Polynomial divided_by_monomial(const Polynomial& f, std::span<const std::uint64_t> exponents) {
     if (std::ranges::all_of(exponents, [](std::uint64_t e) { return e == 0; })) return f;
