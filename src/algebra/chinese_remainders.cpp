@@ -35,7 +35,8 @@ bool ChineseRemainders::add(const PrimeField& field, const std::vector<std::size
 }
 
 bool ChineseRemainders::small() const {
-    return std::ranges::all_of(values_, [this](const Integer& v) { return 2 * v.bit_length() <= modulus_.bit_length(); });
+    return std::ranges::all_of(
+        values_, [this](const Integer& v) { return 2 * v.bit_length() <= modulus_.bit_length(); });
 }
 
 } // namespace eliminant::algebra

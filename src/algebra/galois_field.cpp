@@ -60,8 +60,8 @@ std::vector<std::uint64_t> prime_divisors(std::uint64_t n) {
     return primes;
 }
 
-/// A modulus for which x generates a cyclic group of order p^k − 1. Then all nonzero elements are powers of x, so
-/// the quotient is a field, and no separate test of irreducibility is needed.
+/// A modulus for which x generates a cyclic group of order p^k − 1. Then all nonzero elements are powers of
+/// x, so the quotient is a field, and no separate test of irreducibility is needed.
 PolynomialQuotient primitive_quotient(std::uint32_t p, unsigned k, std::uint64_t group) {
     const auto primes = prime_divisors(group);
     std::mt19937_64 random(p);

@@ -15,8 +15,8 @@ namespace eliminant::algebra {
 ///
 ///     0 ↔ 0        i + 1 ↔ g^i  for 0 ≤ i < p^k − 1
 ///
-/// A product is a sum modulo p^k − 1. A sum is a product too, g^i + g^j = g^i·(1 + g^(j−i)), with a table of Zech's
-/// logarithms of 1 + g^i. The table costs 4 bytes an element and a few nanoseconds each to make.
+/// A product is a sum modulo p^k − 1. A sum is a product too, g^i + g^j = g^i·(1 + g^(j−i)), with a table of
+/// Zech's logarithms of 1 + g^i. The table costs 4 bytes an element and a few nanoseconds each to make.
 class GaloisField {
   public:
     using Element = std::uint32_t;
@@ -59,11 +59,11 @@ class GaloisField {
         return sum > group_ ? sum - group_ : sum;
     }
 
-    std::uint32_t group_;                  ///< p^k − 1, the order of g
-    std::uint32_t log_minus_one_;          ///< g^log_minus_one_ = −1
-    std::vector<Element> successor_;       ///< successor_[i] = 1 + g^i
-    std::vector<Element> embedded_;        ///< images of 0 … p − 1
-    std::vector<std::uint32_t> residues_;  ///< the inverse: of the j-th power of a generator of GF(p)*
+    std::uint32_t group_;                 ///< p^k − 1, the order of g
+    std::uint32_t log_minus_one_;         ///< g^log_minus_one_ = −1
+    std::vector<Element> successor_;      ///< successor_[i] = 1 + g^i
+    std::vector<Element> embedded_;       ///< images of 0 … p − 1
+    std::vector<std::uint32_t> residues_; ///< the inverse: of the j-th power of a generator of GF(p)*
 };
 
 /// The image of a coefficient, an integer or a residue of the prime field.

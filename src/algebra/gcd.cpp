@@ -38,13 +38,15 @@ std::vector<std::uint64_t> strides(const Polynomial& f, const Polynomial& g) {
     return result;
 }
 
-/// gcd of f and g that are 0 degrees apart from it in some variables: that of all their coefficients with respect
-/// to these. It has fewer variables to care for, and most lists of coefficients are soon seen to be coprime.
-Polynomial gcd_of_coefficients(const Polynomial& f, const Polynomial& g, std::span<const std::size_t> variables,
-                               base::Run& run) {
+/// gcd of f and g that are 0 degrees apart from it in some variables: that of all their coefficients with
+/// respect to these. It has fewer variables to care for, and most lists of coefficients are soon seen to be
+/// coprime.
+Polynomial gcd_of_coefficients(const Polynomial& f, const Polynomial& g,
+                               std::span<const std::size_t> variables, base::Run& run) {
     std::vector<Polynomial> parts;
     for (const Polynomial* h : {&f, &g}) {
-        for (CoefficientTerm& term : coefficients(*h, variables)) parts.push_back(std::move(term.coefficient));
+        for (CoefficientTerm& term : coefficients(*h, variables))
+            parts.push_back(std::move(term.coefficient));
     }
     return gcd(parts, run);
 }
@@ -86,7 +88,8 @@ Polynomial gcd(const Polynomial& f, const Polynomial& g, base::Run& run) {
     const std::vector<std::uint64_t> monomial_f = monomial_content(f);
     const std::vector<std::uint64_t> monomial_g = monomial_content(g);
     std::vector<std::uint64_t> common(monomial_f.size());
-    std::ranges::transform(monomial_f, monomial_g, common.begin(), [](auto a, auto b) { return std::min(a, b); });
+    std::ranges::transform(monomial_f, monomial_g, common.begin(),
+                           [](auto a, auto b) { return std::min(a, b); });
     Polynomial a = divided_by_monomial(f.primitive_part(), monomial_f);
     Polynomial b = divided_by_monomial(g.primitive_part(), monomial_g);
 
@@ -100,9 +103,9 @@ Polynomial gcd(const Polynomial& f, const Polynomial& g, base::Run& run) {
     }
     const Polynomial h = gcd_without_monomials(a, b, run);
     if (!deflate && std::ranges::all_of(common, [](std::uint64_t e) { return e == 0; })) return h;
-    return with_exponents(h, [&](std::size_t v, std::uint64_t e) {
-               return common[v] + (stride[v] > 1 ? e * stride[v] : e);
-           }).primitive_part();
+    return with_exponents(h, [&](std::size_t v,
+                                 std::uint64_t e) { return common[v] + (stride[v] > 1 ? e * stride[v] : e); })
+        .primitive_part();
 }
 
 Polynomial gcd(const Polynomial& f, const Polynomial& g) {

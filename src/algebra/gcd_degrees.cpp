@@ -29,7 +29,8 @@ template <class Field>
 class UnivariateImages {
   public:
     /// `variables` occur in both polynomials and have degrees up to max_image_degree.
-    UnivariateImages(const Field& field, const std::vector<std::size_t>& variables, const dense::Vector& point)
+    UnivariateImages(const Field& field, const std::vector<std::size_t>& variables,
+                     const dense::Vector& point)
         : field_(field), variables_(variables), point_(point) {}
 
     std::vector<dense::Vector> operator()(const Polynomial& f, base::Run& run) const {
@@ -76,12 +77,14 @@ class UnivariateImages {
 /// Lowers the bounds of the variables by images at one random point.
 template <class Field>
 void lower_bounds(const Field& field, const Polynomial& f, const Polynomial& g,
-                  std::vector<std::size_t> variables, std::vector<std::uint64_t>& bounds, std::mt19937_64& random,
-                  base::Run& run) {
-    // A second point for those variables where both leading coefficients vanish; after that the degree has to do.
+                  std::vector<std::size_t> variables, std::vector<std::uint64_t>& bounds,
+                  std::mt19937_64& random, base::Run& run) {
+    // A second point for those variables where both leading coefficients vanish; after that the degree has to
+    // do.
     for (int round = 0; round < 2 && !variables.empty(); ++round) {
         dense::Vector point(bounds.size());
-        for (dense::Element& c : point) c = static_cast<dense::Element>(1 + random() % (field_size(field) - 1));
+        for (dense::Element& c : point)
+            c = static_cast<dense::Element>(1 + random() % (field_size(field) - 1));
         const UnivariateImages<Field> images_of(field, variables, point);
         auto images_f = images_of(f, run);
         auto images_g = images_of(g, run);
@@ -102,8 +105,8 @@ void lower_bounds(const Field& field, const Polynomial& f, const Polynomial& g,
 
 } // namespace
 
-std::vector<std::uint64_t> gcd_degree_bounds(const Polynomial& f, const Polynomial& g, std::mt19937_64& random,
-                                             base::Run& run) {
+std::vector<std::uint64_t> gcd_degree_bounds(const Polynomial& f, const Polynomial& g,
+                                             std::mt19937_64& random, base::Run& run) {
     const std::size_t n = f.ring().variable_count();
     std::vector<std::uint64_t> bounds(n);
     std::vector<std::size_t> variables;
@@ -118,7 +121,8 @@ std::vector<std::uint64_t> gcd_degree_bounds(const Polynomial& f, const Polynomi
     }
     const CoefficientField& field = f.ring().field();
     if (field.is_rationals()) {
-        lower_bounds(PrimeField(PrimeField::max_characteristic), f, g, std::move(variables), bounds, random, run);
+        lower_bounds(PrimeField(PrimeField::max_characteristic), f, g, std::move(variables), bounds, random,
+                     run);
         return bounds;
     }
     // The larger the field beside the degrees, the rarer unlucky points are.
@@ -127,7 +131,8 @@ std::vector<std::uint64_t> gcd_degree_bounds(const Polynomial& f, const Polynomi
     const auto extension = GaloisField::degree_for(p, wanted);
     if (p >= wanted || !extension)
         lower_bounds(field.prime_field(), f, g, std::move(variables), bounds, random, run);
-    else lower_bounds(GaloisField(p, *extension, run), f, g, std::move(variables), bounds, random, run);
+    else
+        lower_bounds(GaloisField(p, *extension, run), f, g, std::move(variables), bounds, random, run);
     return bounds;
 }
 

@@ -39,12 +39,12 @@ std::optional<DenseBox> DenseGcd<Field>::operator()(DenseBox f, DenseBox g) {
     if (common.size() > bound + 1) return std::nullopt;
     const DenseBox a = divided(std::move(f), content_f);
     const DenseBox b = divided(std::move(g), content_g);
-    const dense::Vector gamma = dense::gcd(field_, trimmed(a.column(leading_column(a))),
-                                           trimmed(b.column(leading_column(b))), run_);
+    const dense::Vector gamma =
+        dense::gcd(field_, trimmed(a.column(leading_column(a))), trimmed(b.column(leading_column(b))), run_);
     // The interpolant is γ/lc(h)·h. It divides γ·h, and its degree is at most that of a or b as well, for
     // γ/lc(h) divides the leading coefficients of the cofactors.
-    const std::size_t degree = std::min({bound - (common.size() - 1) + gamma.size() - 1, a.extents.back() - 1,
-                                         b.extents.back() - 1});
+    const std::size_t degree = std::min(
+        {bound - (common.size() - 1) + gamma.size() - 1, a.extents.back() - 1, b.extents.back() - 1});
     auto h = interpolated(a, b, gamma, degree);
     return h ? finished(*std::move(h), common) : std::nullopt;
 }
@@ -58,8 +58,8 @@ std::optional<DenseBox> DenseGcd<Field>::univariate(const DenseBox& f, const Den
 }
 
 template <class Field>
-std::optional<DenseBox> DenseGcd<Field>::interpolated(const DenseBox& f, const DenseBox& g, const dense::Vector& gamma,
-                                                      std::size_t bound) {
+std::optional<DenseBox> DenseGcd<Field>::interpolated(const DenseBox& f, const DenseBox& g,
+                                                      const dense::Vector& gamma, std::size_t bound) {
     const dense::Vector lead_f = trimmed(f.column(leading_column(f)));
     const dense::Vector lead_g = trimmed(g.column(leading_column(g)));
     std::optional<NewtonInterpolation<Field>> sum;
@@ -70,7 +70,8 @@ std::optional<DenseBox> DenseGcd<Field>::interpolated(const DenseBox& f, const D
     for (std::uint32_t i = 0; i < size && unlucky <= bound + 8; ++i) {
         run_.poll();
         const auto point = static_cast<dense::Element>((std::uint64_t{first} + i) % size);
-        if (dense::evaluate<Field>(field_, lead_f, point) == 0 || dense::evaluate<Field>(field_, lead_g, point) == 0)
+        if (dense::evaluate<Field>(field_, lead_f, point) == 0 ||
+            dense::evaluate<Field>(field_, lead_g, point) == 0)
             continue;
         const auto image = (*this)(at(f, point), at(g, point));
         if (!image) {
@@ -110,7 +111,8 @@ std::optional<DenseBox> DenseGcd<Field>::finished(DenseBox h, const dense::Vecto
     for (std::size_t i = 0; i <= leading; ++i) {
         dense::Vector product = dense::multiply(field_, trimmed(primitive.column(i)), content_of_gcd);
         if (product.size() > extent) return std::nullopt;
-        for (std::size_t j = 0; j < product.size(); ++j) result.column(i)[j] = field_.multiply(product[j], scale);
+        for (std::size_t j = 0; j < product.size(); ++j)
+            result.column(i)[j] = field_.multiply(product[j], scale);
     }
     return result;
 }
@@ -119,7 +121,8 @@ template <class Field>
 DenseBox DenseGcd<Field>::at(const DenseBox& f, dense::Element point) {
     DenseBox result{{f.extents.begin(), f.extents.end() - 1}, dense::Vector(f.columns())};
     const dense::Vector powers = dense::powers(field_, point, f.extents.back());
-    for (std::size_t i = 0; i < f.columns(); ++i) result.values[i] = dense::dot<Field>(field_, f.column(i), powers);
+    for (std::size_t i = 0; i < f.columns(); ++i)
+        result.values[i] = dense::dot<Field>(field_, f.column(i), powers);
     return result;
 }
 

@@ -27,7 +27,8 @@ SparseImage sparse_image(const Field& field, const TermRows& rows) {
 class DenseMethod final : public ImageMethod {
   public:
     DenseMethod(GcdProblem problem, std::mt19937_64& random, base::Run& run)
-        : problem_(std::move(problem)), random_(random), run_(run), f_(term_rows(problem_.f, problem_.variables, run)),
+        : problem_(std::move(problem)), random_(random), run_(run),
+          f_(term_rows(problem_.f, problem_.variables, run)),
           g_(term_rows(problem_.g, problem_.variables, run)) {
         if (!f_.integers.empty()) gamma_ = gcd(f_.integers.front(), g_.integers.front());
     }
@@ -99,14 +100,16 @@ class DenseMethod final : public ImageMethod {
 class SparseMethod final : public ImageMethod {
   public:
     SparseMethod(GcdProblem problem, std::mt19937_64& random, base::Run& run)
-        : problem_(std::move(problem)), random_(random), run_(run), f_(term_rows(problem_.f, problem_.variables, run)),
+        : problem_(std::move(problem)), random_(random), run_(run),
+          f_(term_rows(problem_.f, problem_.variables, run)),
           g_(term_rows(problem_.g, problem_.variables, run)) {
         const std::size_t main = problem_.variables.front();
         const Polynomial lead_f = leading_coefficient(problem_.f, main);
         const Polynomial lead_g = leading_coefficient(problem_.g, main);
         Polynomial gamma = gcd(lead_f, lead_g, run);
         if (gamma.ring().field().is_rationals()) {
-            const Integer common = gcd(Integer(lead_f.content().get_num()), Integer(lead_g.content().get_num()));
+            const Integer common =
+                gcd(Integer(lead_f.content().get_num()), Integer(lead_g.content().get_num()));
             gamma = gamma.scaled(common.to_mpz());
         }
         gamma_ = term_rows(gamma, problem_.variables, run);
@@ -124,7 +127,9 @@ class SparseMethod final : public ImageMethod {
     std::optional<ModularImage> image(const GaloisField& field) override { return image_over(field); }
     void reset() override { support_.reset(); }
 
-    std::pair<bool, bool> compare(const ModularImage&, const ModularImage&) const override { return {false, false}; }
+    std::pair<bool, bool> compare(const ModularImage&, const ModularImage&) const override {
+        return {false, false};
+    }
     std::span<const std::size_t> variables() const override { return problem_.variables; }
     void exponents_of(std::size_t place, std::span<std::uint64_t> row) const override {
         std::ranges::copy(support_->row(place), row.begin());

@@ -36,8 +36,8 @@ Polynomial assembled(const Ring& ring, const ImageMethod& method, const std::vec
     return builder.build();
 }
 
-/// The proof. The degrees of a candidate are those of a gcd of images, so at least those of the gcd; if it divides
-/// both arguments, it is the gcd.
+/// The proof. The degrees of a candidate are those of a gcd of images, so at least those of the gcd; if it
+/// divides both arguments, it is the gcd.
 bool divides_both(const Polynomial& h, const Polynomial& f, const Polynomial& g, base::Run& run) {
     return f.size() <= g.size() ? try_divide(f, h, run) && try_divide(g, h, run)
                                 : try_divide(g, h, run) && try_divide(f, h, run);
@@ -112,7 +112,8 @@ std::optional<Polynomial> over_prime_field(ImageMethod& method, const Polynomial
     for (const std::size_t v : method.variables())
         degree_sum += static_cast<std::uint64_t>(std::max(f.degree(v), g.degree(v)));
     // An image is unlucky with a probability of about degree²/size; points must also be distinct.
-    const std::uint64_t wanted = std::min<std::uint64_t>(64 * degree_sum * degree_sum, std::uint64_t{1} << 20);
+    const std::uint64_t wanted =
+        std::min<std::uint64_t>(64 * degree_sum * degree_sum, std::uint64_t{1} << 20);
     const std::uint64_t enough = std::max<std::uint64_t>(4 * degree_sum, 4096);
     const std::uint32_t p = field.characteristic();
     if (p < enough) {
@@ -122,8 +123,10 @@ std::optional<Polynomial> over_prime_field(ImageMethod& method, const Polynomial
     return over_finite_field(field, method, f, g, run);
 }
 
-std::optional<Polynomial> by_method(ImageMethod& method, const Polynomial& f, const Polynomial& g, base::Run& run) {
-    return f.ring().field().is_rationals() ? over_rationals(method, f, g, run) : over_prime_field(method, f, g, run);
+std::optional<Polynomial> by_method(ImageMethod& method, const Polynomial& f, const Polynomial& g,
+                                    base::Run& run) {
+    return f.ring().field().is_rationals() ? over_rationals(method, f, g, run)
+                                           : over_prime_field(method, f, g, run);
 }
 
 std::optional<Polynomial> by_dense(GcdProblem problem, std::mt19937_64& random, base::Run& run) {
@@ -140,7 +143,8 @@ std::optional<Polynomial> by_sparse(GcdProblem problem, std::mt19937_64& random,
     const Polynomial content_g = content(g, main, run);
     if (!content_f.is_constant() || !content_g.is_constant()) {
         const Polynomial common = gcd(content_f, content_g, run);
-        const Polynomial primitive = gcd(divide_exactly(f, content_f, run), divide_exactly(g, content_g, run), run);
+        const Polynomial primitive =
+            gcd(divide_exactly(f, content_f, run), divide_exactly(g, content_g, run), run);
         return multiply(common, primitive, run).primitive_part();
     }
     return by_method(*sparse_method(std::move(problem), random, run), f, g, run);

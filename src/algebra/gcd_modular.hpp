@@ -12,8 +12,9 @@ namespace eliminant::algebra {
 
 /// gcd of normalised polynomials in the same variables, by images over finite fields; proved by division.
 ///
-/// `bounds` are upper bounds of the degrees of the gcd, positive for each variable that occurs. Nothing if degrees
-/// are too high for dense univariate images or the field offers too few points; another method has to do then.
+/// `bounds` are upper bounds of the degrees of the gcd, positive for each variable that occurs. Nothing if
+/// degrees are too high for dense univariate images or the field offers too few points; another method has to
+/// do then.
 std::optional<Polynomial> gcd_by_images(const Polynomial& f, const Polynomial& g,
                                         std::span<const std::uint64_t> bounds, std::mt19937_64& random,
                                         base::Run& run);

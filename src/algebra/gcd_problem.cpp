@@ -44,7 +44,9 @@ TermRows term_rows(const Polynomial& f, std::span<const std::size_t> variables, 
     for (std::size_t i = 0; i < f.size(); ++i) {
         for (std::size_t k = 0; k < n; ++k) exponents[i * n + k] = f.exponent(i, variables[k]);
     }
-    const auto row = [&](std::size_t i) { return std::span<const std::uint64_t>(exponents).subspan(i * n, n); };
+    const auto row = [&](std::size_t i) {
+        return std::span<const std::uint64_t>(exponents).subspan(i * n, n);
+    };
     std::vector<std::size_t> sequence(f.size());
     std::iota(sequence.begin(), sequence.end(), std::size_t{0});
     run.poll();
@@ -56,8 +58,10 @@ TermRows term_rows(const Polynomial& f, std::span<const std::size_t> variables, 
     result.exponents.entries.reserve(exponents.size());
     for (const std::size_t i : sequence) {
         result.exponents.push_back(row(i));
-        if (f.ring().field().is_rationals()) result.integers.push_back(f.integer_terms().coefficients[i]);
-        else result.residues.push_back(f.residue_terms().coefficients[i]);
+        if (f.ring().field().is_rationals())
+            result.integers.push_back(f.integer_terms().coefficients[i]);
+        else
+            result.residues.push_back(f.residue_terms().coefficients[i]);
     }
     return result;
 }
@@ -77,9 +81,10 @@ double dense_cost(const GcdProblem& problem) {
 
 double sparse_cost(const GcdProblem& problem) {
     const auto terms = static_cast<double>(problem.f.size() + problem.g.size());
-    const double main_degree = degree(problem.f, problem.variables[0]) + degree(problem.g, problem.variables[0]) + 2;
-    // The longest coefficient of the gcd is unknown: no longer than the degrees allow, and guessed to be no longer
-    // than those of f and g on the average.
+    const double main_degree =
+        degree(problem.f, problem.variables[0]) + degree(problem.g, problem.variables[0]) + 2;
+    // The longest coefficient of the gcd is unknown: no longer than the degrees allow, and guessed to be no
+    // longer than those of f and g on the average.
     const double longest = 1 + terms / main_degree;
     double images = 1;
     double cost = 0;
@@ -108,7 +113,8 @@ GcdProblem sorted_for_sparse(GcdProblem problem) {
     std::iota(sequence.begin(), sequence.end(), std::size_t{0});
     std::ranges::stable_sort(sequence, {}, [&](std::size_t k) { return problem.bounds[k]; });
     const auto length = [&](std::size_t k) {
-        return std::min(leading_length(problem.f, problem.variables[k]), leading_length(problem.g, problem.variables[k]));
+        return std::min(leading_length(problem.f, problem.variables[k]),
+                        leading_length(problem.g, problem.variables[k]));
     };
     // Among equals the highest degree, which splits the gcd into the most coefficients.
     std::size_t best = 0;

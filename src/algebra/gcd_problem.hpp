@@ -13,8 +13,8 @@
 
 namespace eliminant::algebra {
 
-/// The terms of a polynomial as exponent rows in chosen variables, decreasing in lex. Coefficients are numerators
-/// over ℚ and residues over GF(p); only one of the two lists is used.
+/// The terms of a polynomial as exponent rows in chosen variables, decreasing in lex. Coefficients are
+/// numerators over ℚ and residues over GF(p); only one of the two lists is used.
 struct TermRows {
     ExponentRows exponents;
     std::vector<Integer> integers;
@@ -39,12 +39,12 @@ double sparse_cost(const GcdProblem& problem);
 /// Whether the coefficient arrays of the dense method are of a size that is ever sensible.
 bool dense_fits(const GcdProblem& problem);
 
-/// The variables of the problem sorted for the dense method: the highest degree, which the univariate gcds have,
-/// first.
+/// The variables of the problem sorted for the dense method: the highest degree, which the univariate gcds
+/// have, first.
 GcdProblem sorted_for_dense(GcdProblem problem);
 
-/// The same for the sparse method: first a variable in which leading coefficients are short, since they multiply
-/// the gcd.
+/// The same for the sparse method: first a variable in which leading coefficients are short, since they
+/// multiply the gcd.
 GcdProblem sorted_for_sparse(GcdProblem problem);
 
 } // namespace eliminant::algebra

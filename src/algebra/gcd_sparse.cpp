@@ -19,7 +19,8 @@ class PowerTable {
   public:
     PowerTable(const Field& field, Element base, std::uint64_t max_exponent)
         : field_(field), base_(base),
-          table_(dense::powers(field, base, static_cast<std::size_t>(std::min<std::uint64_t>(max_exponent, 4095)) + 1)) {}
+          table_(dense::powers(field, base,
+                               static_cast<std::size_t>(std::min<std::uint64_t>(max_exponent, 4095)) + 1)) {}
     Element operator()(std::uint64_t exponent) const {
         return exponent < table_.size() ? table_[exponent] : field_.power(base_, exponent);
     }
@@ -43,17 +44,19 @@ Vector monomial_values(const Field& field, const ExponentRows& rows, const Vecto
     Vector values(rows.count, 1);
     for (std::size_t v = 1; v < rows.variables; ++v) {
         const PowerTable<Field> powers(field, point[v], largest_exponent(rows, v));
-        for (std::size_t i = 0; i < rows.count; ++i) values[i] = field.multiply(values[i], powers(rows.row(i)[v]));
+        for (std::size_t i = 0; i < rows.count; ++i)
+            values[i] = field.multiply(values[i], powers(rows.row(i)[v]));
     }
     return values;
 }
 
-/// A polynomial at the points ω, ω², ω³, … of all variables but the first, one univariate image after the other: a
-/// multiplication and an addition a term.
+/// A polynomial at the points ω, ω², ω³, … of all variables but the first, one univariate image after the
+/// other: a multiplication and an addition a term.
 template <class Field>
 class GeometricImages {
   public:
-    GeometricImages(const Field& field, const ExponentRows& rows, const Vector& ratios, const Vector& coefficients)
+    GeometricImages(const Field& field, const ExponentRows& rows, const Vector& ratios,
+                    const Vector& coefficients)
         : field_(field), rows_(rows), ratios_(ratios), values_(coefficients),
           extent_(static_cast<std::size_t>(rows.row(0)[0]) + 1) {}
 
@@ -76,8 +79,8 @@ class GeometricImages {
 
 } // namespace
 
-/// The supposed terms of H, grouped by the power of x₁, with what the Vandermonde systems at ω need. The leading
-/// group is that of γ, whose coefficients are known.
+/// The supposed terms of H, grouped by the power of x₁, with what the Vandermonde systems at ω need. The
+/// leading group is that of γ, whose coefficients are known.
 template <class Field>
 class SparseGcd<Field>::Support {
   public:
@@ -102,8 +105,8 @@ class SparseGcd<Field>::Support {
         return most;
     }
 
-    /// The coefficients from univariate images, images_needed() of them and one that tests the support; nothing if
-    /// the test fails. Those of the leading group are γ's.
+    /// The coefficients from univariate images, images_needed() of them and one that tests the support;
+    /// nothing if the test fails. Those of the leading group are γ's.
     std::optional<Vector> solve(const std::vector<Vector>& images, const Vector& gamma) const {
         if (images.front().size() != groups_.front().power + 1) return std::nullopt;
         Vector result(nodes_.size(), 0);
@@ -157,8 +160,8 @@ class SparseGcd<Field>::Support {
         return quotient;
     }
 
-    /// Σ_l y_l·m_l^j = s_j for 1 ≤ j ≤ length: Σ_j q_j·s_{j+1} = Σ_l y_l·m_l·Q(m_l) has one term, that of the node
-    /// that Q omits.
+    /// Σ_l y_l·m_l^j = s_j for 1 ≤ j ≤ length: Σ_j q_j·s_{j+1} = Σ_l y_l·m_l·Q(m_l) has one term, that of the
+    /// node that Q omits.
     void solve_group(const Group& group, const Vector& samples, Vector& result) const {
         for (std::size_t i = group.first; i < group.first + group.length; ++i) {
             const Vector quotient = quotient_of(group, nodes_[i]);
@@ -228,8 +231,9 @@ class SparseGcd<Field>::Images {
 };
 
 template <class Field>
-SparseGcd<Field>::SparseGcd(const Field& field, const SparseImage& f, const SparseImage& g, const SparseImage& gamma,
-                            std::vector<std::size_t> degrees, std::mt19937_64& random, base::Run& run)
+SparseGcd<Field>::SparseGcd(const Field& field, const SparseImage& f, const SparseImage& g,
+                            const SparseImage& gamma, std::vector<std::size_t> degrees,
+                            std::mt19937_64& random, base::Run& run)
     : field_(field), f_(f), g_(g), gamma_(gamma), degrees_(std::move(degrees)), random_(random), run_(run) {}
 
 /// Random nonzero coordinates.
@@ -240,8 +244,8 @@ Vector SparseGcd<Field>::random_point() {
     return point;
 }
 
-/// The coefficients of f with a value in the place of its last variable; `prefixes` are its rows without that, each
-/// once. Coefficients that vanish keep their place.
+/// The coefficients of f with a value in the place of its last variable; `prefixes` are its rows without
+/// that, each once. Coefficients that vanish keep their place.
 template <class Field>
 Vector SparseGcd<Field>::collapsed(const SparseImage& f, const ExponentRows& prefixes, Element value) {
     const std::size_t last = prefixes.variables;
@@ -266,7 +270,8 @@ typename SparseGcd<Field>::Layers SparseGcd<Field>::layers_of(const SparseImage&
         ExponentRows prefixes{k, {}, 0};
         for (std::size_t i = 0; i < rows.count; ++i) {
             const auto prefix = rows.row(i).first(k);
-            if (i == 0 || !std::ranges::equal(prefix, prefixes.row(prefixes.count - 1))) prefixes.push_back(prefix);
+            if (i == 0 || !std::ranges::equal(prefix, prefixes.row(prefixes.count - 1)))
+                prefixes.push_back(prefix);
         }
         Vector coefficients = collapsed(layers[k], prefixes, point[k]);
         layers[k - 1] = {std::move(prefixes), std::move(coefficients)};
@@ -296,7 +301,8 @@ std::optional<SparseImage> SparseGcd<Field>::operator()() {
     return h;
 }
 
-/// γ·x₁^d, d the degree of h: the leading coefficient of H is known. Terms that vanish at the point of a layer stay.
+/// γ·x₁^d, d the degree of h: the leading coefficient of H is known. Terms that vanish at the point of a
+/// layer stay.
 template <class Field>
 SparseImage SparseGcd<Field>::led_by(const SparseImage& gamma) const {
     SparseImage result = gamma;
@@ -307,8 +313,8 @@ SparseImage SparseGcd<Field>::led_by(const SparseImage& gamma) const {
 
 /// Brings in variable k, whose value so far was `known_point`.
 template <class Field>
-bool SparseGcd<Field>::extend(std::size_t k, Element known_point, SparseImage& h, const Layers& f, const Layers& g,
-                              const Layers& gamma) {
+bool SparseGcd<Field>::extend(std::size_t k, Element known_point, SparseImage& h, const Layers& f,
+                              const Layers& g, const Layers& gamma) {
     const Vector omega = random_point();
     const Support support(field_, h.exponents, omega);
     if (!support.ready()) return false;
@@ -325,8 +331,9 @@ bool SparseGcd<Field>::extend(std::size_t k, Element known_point, SparseImage& h
         const auto point = static_cast<Element>((std::uint64_t{first} + i) % size);
         if (point == known_point) continue;
         const Vector values_gamma = collapsed(gamma[k], gamma[k - 1].exponents, point);
-        const auto values = images(collapsed(f[k], f[k - 1].exponents, point), collapsed(g[k], g[k - 1].exponents, point),
-                                   values_gamma, support.images_needed() + 1);
+        const auto values =
+            images(collapsed(f[k], f[k - 1].exponents, point), collapsed(g[k], g[k - 1].exponents, point),
+                   values_gamma, support.images_needed() + 1);
         const auto coefficients = values ? support.solve(*values, values_gamma) : std::nullopt;
         if (!coefficients) {
             ++unlucky;
@@ -355,7 +362,8 @@ std::optional<Vector> SparseGcd<Field>::on_support(const ExponentRows& rows) {
     const Support support(field_, rows, omega);
     if (!support.ready()) return std::nullopt;
     const Images images(*this, f_.exponents, g_.exponents, gamma_.exponents, omega);
-    const auto values = images(f_.coefficients, g_.coefficients, gamma_.coefficients, support.images_needed() + 1);
+    const auto values =
+        images(f_.coefficients, g_.coefficients, gamma_.coefficients, support.images_needed() + 1);
     return values ? support.solve(*values, gamma_.coefficients) : std::nullopt;
 }
 

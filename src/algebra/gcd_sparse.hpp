@@ -39,26 +39,27 @@ struct SparseImage {
 
 /// gcd over a finite field by sparse interpolation (Zippel 1979).
 ///
-/// Let h be the gcd of f and g, which are primitive with respect to x₁, and γ a multiple of its leading coefficient
-/// in x₁ that divides those of f and g. The result is H = γ/lc(h)·h. Variables are brought in one after the other:
-/// when H(x₁, …, x_k−1, α_k, …) is known, then its terms are, with high probability, also those of H(…, β, …) for
-/// other values β of x_k; so their coefficients follow from as many univariate gcds as the longest coefficient of a
-/// power of x₁ has terms, at points (ω₂ʲ, …, ω_k−1ʲ), by transposed Vandermonde systems. Newton interpolation in x_k
-/// makes the next step.
+/// Let h be the gcd of f and g, which are primitive with respect to x₁, and γ a multiple of its leading
+/// coefficient in x₁ that divides those of f and g. The result is H = γ/lc(h)·h. Variables are brought in one
+/// after the other: when H(x₁, …, x_k−1, α_k, …) is known, then its terms are, with high probability, also
+/// those of H(…, β, …) for other values β of x_k; so their coefficients follow from as many univariate gcds
+/// as the longest coefficient of a power of x₁ has terms, at points (ω₂ʲ, …, ω_k−1ʲ), by transposed
+/// Vandermonde systems. Newton interpolation in x_k makes the next step.
 ///
 /// Every answer is a guess; that it divides f and g proves it (see DenseGcd).
 template <class Field>
 class SparseGcd {
   public:
-    /// Arguments over the same n variables; γ does not contain the first. degrees[i] bounds the degree of H in
-    /// variable i; degrees[0] is that of h.
+    /// Arguments over the same n variables; γ does not contain the first. degrees[i] bounds the degree of H
+    /// in variable i; degrees[0] is that of h.
     SparseGcd(const Field& field, const SparseImage& f, const SparseImage& g, const SparseImage& gamma,
               std::vector<std::size_t> degrees, std::mt19937_64& random, base::Run& run);
 
     /// H; nothing if random choices were unlucky.
     std::optional<SparseImage> operator()();
 
-    /// The coefficients of H on the support that another prime gave; nothing if that fails or it does not fit.
+    /// The coefficients of H on the support that another prime gave; nothing if that fails or it does not
+    /// fit.
     std::optional<dense::Vector> on_support(const ExponentRows& support);
 
   private:

@@ -8,8 +8,8 @@
 
 namespace eliminant::algebra {
 
-/// Interpolation of many univariate polynomials of bounded degree through values at common points, one point at a
-/// time, by Newton's scheme: H ← H + (value − H(b))/M(b)·M, M ← M·(x − b).
+/// Interpolation of many univariate polynomials of bounded degree through values at common points, one point
+/// at a time, by Newton's scheme: H ← H + (value − H(b))/M(b)·M, M ← M·(x − b).
 template <class Field>
 class NewtonInterpolation {
   public:
@@ -20,8 +20,8 @@ class NewtonInterpolation {
     /// Whether there are as many points as the degree bound asks for.
     bool complete() const { return points() == extent_; }
 
-    /// Takes the values at one more point, each times `factor`. Returns whether a polynomial changed; if none did,
-    /// they are probably all known.
+    /// Takes the values at one more point, each times `factor`. Returns whether a polynomial changed; if none
+    /// did, they are probably all known.
     bool add(dense::Element point, std::span<const dense::Element> values, dense::Element factor = 1) {
         const Field& field = *field_;
         const dense::Element inverse = field.inverse(dense::evaluate<Field>(field, master_, point));
@@ -29,8 +29,8 @@ class NewtonInterpolation {
         bool changed = false;
         for (std::size_t i = 0; i < values.size(); ++i) {
             const std::span<dense::Element> column = std::span(columns_).subspan(i * extent_, extent_);
-            const dense::Element gap = field.subtract(field.multiply(values[i], factor),
-                                                      dense::dot<Field>(field, column.first(points()), powers));
+            const dense::Element gap = field.subtract(
+                field.multiply(values[i], factor), dense::dot<Field>(field, column.first(points()), powers));
             if (gap == 0) continue;
             changed = true;
             dense::add_multiple<Field>(field, column, master_, field.multiply(gap, inverse));

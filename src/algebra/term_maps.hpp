@@ -84,8 +84,10 @@ Polynomial with_exponents(const Polynomial& f, const Change& change) {
     for (std::size_t i = 0; i < f.size(); ++i) {
         f.layout().decode(f.packed_monomial(i), exponents);
         for (std::size_t v = 0; v < exponents.size(); ++v) exponents[v] = change(v, exponents[v]);
-        if (f.ring().field().is_rationals()) builder.add(f.integer_terms().coefficients[i], f.denominator(), exponents);
-        else builder.add(Integer(f.residue_terms().coefficients[i]), exponents);
+        if (f.ring().field().is_rationals())
+            builder.add(f.integer_terms().coefficients[i], f.denominator(), exponents);
+        else
+            builder.add(Integer(f.residue_terms().coefficients[i]), exponents);
     }
     return builder.build();
 }

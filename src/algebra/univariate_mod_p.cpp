@@ -7,15 +7,17 @@ namespace eliminant::algebra::dense {
 
 namespace {
 
-/// r[i] = s·r[i] + t·b[i−1] + u·b[i] for 0 ≤ i < n, with b[−1] = 0: one remainder of a gcd without an inversion.
-/// Three products of residues below 2^31 fit in 64 bits, so a coefficient costs one reduction.
-void combine(const PrimeField& field, Vector& r, const Vector& b, std::size_t n, Element s, Element t, Element u) {
+/// r[i] = s·r[i] + t·b[i−1] + u·b[i] for 0 ≤ i < n, with b[−1] = 0: one remainder of a gcd without an
+/// inversion. Three products of residues below 2^31 fit in 64 bits, so a coefficient costs one reduction.
+void combine(const PrimeField& field, Vector& r, const Vector& b, std::size_t n, Element s, Element t,
+             Element u) {
     r[0] = field.reduce(std::uint64_t{s} * r[0] + std::uint64_t{u} * b[0]);
     for (std::size_t i = 1; i < n; ++i)
         r[i] = field.reduce(std::uint64_t{s} * r[i] + std::uint64_t{t} * b[i - 1] + std::uint64_t{u} * b[i]);
 }
 
-void combine(const GaloisField& field, Vector& r, const Vector& b, std::size_t n, Element s, Element t, Element u) {
+void combine(const GaloisField& field, Vector& r, const Vector& b, std::size_t n, Element s, Element t,
+             Element u) {
     for (std::size_t i = 0; i < n; ++i) {
         Element sum = field.add(field.multiply(s, r[i]), field.multiply(u, b[i]));
         if (i > 0) sum = field.add(sum, field.multiply(t, b[i - 1]));
@@ -23,8 +25,8 @@ void combine(const GaloisField& field, Vector& r, const Vector& b, std::size_t n
     }
 }
 
-/// Replaces a by a nonzero multiple of its remainder modulo b, deg a = deg b + 1. With leading coefficients α of a,
-/// β of b and the next ones α', β', the quotient of β²·a by b is αβ·x + (βα' − αβ').
+/// Replaces a by a nonzero multiple of its remainder modulo b, deg a = deg b + 1. With leading coefficients α
+/// of a, β of b and the next ones α', β', the quotient of β²·a by b is αβ·x + (βα' − αβ').
 template <class Field>
 void remainder_of_next_degree(const Field& field, Vector& a, const Vector& b) {
     const std::size_t n = b.size() - 1; // degree of b
@@ -50,7 +52,8 @@ Element dot(const PrimeField& field, std::span<const Element> a, std::span<const
     std::uint64_t sum = 0;
     std::size_t i = 0;
     for (; i + 3 < n; i += 3) {
-        sum += std::uint64_t{a[i]} * b[i] + std::uint64_t{a[i + 1]} * b[i + 1] + std::uint64_t{a[i + 2]} * b[i + 2];
+        sum += std::uint64_t{a[i]} * b[i] + std::uint64_t{a[i + 1]} * b[i + 1] +
+               std::uint64_t{a[i + 2]} * b[i + 2];
         sum = field.reduce(sum);
     }
     for (; i < n; ++i) sum += std::uint64_t{a[i]} * b[i];
@@ -60,7 +63,8 @@ Element dot(const PrimeField& field, std::span<const Element> a, std::span<const
 template <>
 Element dot(const GaloisField& field, std::span<const Element> a, std::span<const Element> b) {
     Element sum = 0;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) sum = field.add(sum, field.multiply(a[i], b[i]));
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        sum = field.add(sum, field.multiply(a[i], b[i]));
     return sum;
 }
 
@@ -70,7 +74,8 @@ void add_multiple(const PrimeField& field, std::span<Element> a, std::span<const
 }
 
 template <>
-void add_multiple(const GaloisField& field, std::span<Element> a, std::span<const Element> b, Element factor) {
+void add_multiple(const GaloisField& field, std::span<Element> a, std::span<const Element> b,
+                  Element factor) {
     for (std::size_t i = 0; i < b.size(); ++i) a[i] = field.add(a[i], field.multiply(factor, b[i]));
 }
 
@@ -92,7 +97,8 @@ template <class Field>
 Vector multiply(const Field& field, const Vector& a, const Vector& b) {
     if (a.empty() || b.empty()) return {};
     Vector product(a.size() + b.size() - 1, 0);
-    for (std::size_t i = 0; i < a.size(); ++i) add_multiple<Field>(field, std::span(product).subspan(i), b, a[i]);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        add_multiple<Field>(field, std::span(product).subspan(i), b, a[i]);
     return product; // a field has no zero divisors: the leading coefficient is not 0
 }
 
@@ -103,7 +109,8 @@ Vector divide(const Field& field, Vector& a, const Vector& b) {
     const Element inverse = field.inverse(b.back());
     for (std::size_t i = quotient.size(); i-- > 0;) {
         quotient[i] = field.multiply(a[i + b.size() - 1], inverse);
-        if (quotient[i] != 0) add_multiple<Field>(field, std::span(a).subspan(i), b, field.negate(quotient[i]));
+        if (quotient[i] != 0)
+            add_multiple<Field>(field, std::span(a).subspan(i), b, field.negate(quotient[i]));
     }
     trim(a);
     return quotient;
@@ -122,8 +129,10 @@ Vector gcd(const Field& field, Vector a, Vector b, base::Run& run) {
     while (!b.empty()) {
         run.poll();
         if (b.size() == 1) return {1};
-        if (a.size() == b.size() + 1) remainder_of_next_degree(field, a, b);
-        else divide(field, a, b);
+        if (a.size() == b.size() + 1)
+            remainder_of_next_degree(field, a, b);
+        else
+            divide(field, a, b);
         std::swap(a, b);
     }
     make_monic(field, a);
@@ -152,14 +161,14 @@ Vector interpolate(const Field& field, std::span<const Element> points, std::spa
     return f;
 }
 
-#define ELIMINANT_INSTANTIATE(Field)                                                                                \
-    template Element evaluate(const Field&, std::span<const Element>, Element);                                     \
-    template Vector powers(const Field&, Element, std::size_t);                                                     \
-    template Vector multiply(const Field&, const Vector&, const Vector&);                                           \
-    template Vector divide(const Field&, Vector&, const Vector&);                                                   \
-    template void make_monic(const Field&, Vector&);                                                                \
-    template Vector gcd(const Field&, Vector, Vector, base::Run&);                                                  \
-    template void multiply_by_root(const Field&, Vector&, Element);                                                 \
+#define ELIMINANT_INSTANTIATE(Field)                                                                         \
+    template Element evaluate(const Field&, std::span<const Element>, Element);                              \
+    template Vector powers(const Field&, Element, std::size_t);                                              \
+    template Vector multiply(const Field&, const Vector&, const Vector&);                                    \
+    template Vector divide(const Field&, Vector&, const Vector&);                                            \
+    template void make_monic(const Field&, Vector&);                                                         \
+    template Vector gcd(const Field&, Vector, Vector, base::Run&);                                           \
+    template void multiply_by_root(const Field&, Vector&, Element);                                          \
     template Vector interpolate(const Field&, std::span<const Element>, std::span<const Element>);
 ELIMINANT_INSTANTIATE(PrimeField)
 ELIMINANT_INSTANTIATE(GaloisField)

@@ -12,9 +12,9 @@
 
 /// Univariate polynomials over a finite field as dense vectors.
 ///
-/// Coefficient i belongs to x^i, the last one is not zero, and 0 is the empty vector. Schoolbook methods: they are
-/// the fastest up to degrees of several hundred, and the users here stay mostly below. Instantiated for PrimeField
-/// and GaloisField.
+/// Coefficient i belongs to x^i, the last one is not zero, and 0 is the empty vector. Schoolbook methods:
+/// they are the fastest up to degrees of several hundred, and the users here stay mostly below. Instantiated
+/// for PrimeField and GaloisField.
 namespace eliminant::algebra::dense {
 
 using Element = std::uint32_t;
@@ -60,7 +60,8 @@ Vector gcd(const Field& field, Vector a, Vector b, base::Run& run);
 template <class Field>
 void multiply_by_root(const Field& field, Vector& f, Element root);
 
-/// The polynomial of degree below n with f(points[i]) = values[i]; the n points are distinct. Newton's scheme.
+/// The polynomial of degree below n with f(points[i]) = values[i]; the n points are distinct. Newton's
+/// scheme.
 template <class Field>
 Vector interpolate(const Field& field, std::span<const Element> points, std::span<const Element> values);
 
