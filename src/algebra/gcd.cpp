@@ -56,7 +56,7 @@ Polynomial gcd_without_monomials(const Polynomial& f, const Polynomial& g, base:
     if (f.is_constant() || g.is_constant()) return one(f.ring());
     if (associated(f, g)) return f;
     std::mt19937_64 random(run.seed());
-    const std::vector<std::uint64_t> bounds = gcd_degree_bounds(f, g, random, run);
+    const auto bounds = gcd_degree_bounds(f, g, random, run);
     if (std::ranges::all_of(bounds, [](std::uint64_t bound) { return bound == 0; })) return one(f.ring());
 
     std::vector<std::size_t> absent; // from the gcd, but not from f and g

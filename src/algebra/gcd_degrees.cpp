@@ -10,8 +10,8 @@ namespace eliminant::algebra {
 
 namespace {
 
-/// Dense images above this degree would cost more than they tell.
-constexpr std::uint64_t max_image_degree = std::uint64_t{1} << 20;
+/// A univariate gcd of this degree takes about 100 ms; dense images above it would cost more than they tell.
+constexpr std::uint64_t max_image_degree = 8192;
 
 /// Powers of a nonzero element and of its inverse.
 template <class Field>
@@ -111,14 +111,17 @@ std::vector<std::uint64_t> gcd_degree_bounds(const Polynomial& f, const Polynomi
     std::vector<std::uint64_t> bounds(n);
     std::vector<std::size_t> variables;
     std::uint64_t degree_sum = 1;
+    std::size_t occurring = 0;
     for (std::size_t v = 0; v < n; ++v) {
         const auto degree_f = static_cast<std::uint64_t>(f.degree(v));
         const auto degree_g = static_cast<std::uint64_t>(g.degree(v));
         bounds[v] = std::min(degree_f, degree_g);
+        if (std::max(degree_f, degree_g) > 0) ++occurring;
         if (bounds[v] == 0 || std::max(degree_f, degree_g) > max_image_degree) continue;
         variables.push_back(v);
         degree_sum += std::max(degree_f, degree_g);
     }
+    if (occurring == 1) return bounds;
     const CoefficientField& field = f.ring().field();
     if (field.is_rationals()) {
         lower_bounds(PrimeField(PrimeField::max_characteristic), f, g, std::move(variables), bounds, random,

@@ -116,7 +116,7 @@ std::optional<Polynomial> over_prime_field(ImageMethod& method, const Polynomial
         std::min<std::uint64_t>(64 * degree_sum * degree_sum, std::uint64_t{1} << 20);
     const std::uint64_t enough = std::max<std::uint64_t>(4 * degree_sum, 4096);
     const std::uint32_t p = field.characteristic();
-    if (p < enough) {
+    if (method.variables().size() > 1 && p < enough) {
         if (const auto k = GaloisField::degree_for(p, std::max(wanted, enough)))
             return over_finite_field(GaloisField(p, *k, run), method, f, g, run);
     }
@@ -154,7 +154,7 @@ std::optional<Polynomial> by_sparse(GcdProblem problem, std::mt19937_64& random,
 
 std::optional<Polynomial> gcd_by_images(const Polynomial& f, const Polynomial& g,
                                         std::span<const std::uint64_t> bounds, std::mt19937_64& random,
-                                        base::Run& run) {
+                                        base::Run& run, Interpolation method) {
     GcdProblem problem{f, g, {}, {}};
     for (std::size_t v = 0; v < bounds.size(); ++v) {
         if (f.degree(v) <= 0) continue;
@@ -166,16 +166,16 @@ std::optional<Polynomial> gcd_by_images(const Polynomial& f, const Polynomial& g
     const auto fits = [&](const GcdProblem& p) {
         return std::max(f.degree(p.variables[0]), g.degree(p.variables[0])) <= max_main_degree;
     };
-    const bool can_dense = dense_fits(dense);
-    const bool can_sparse = sparse.variables.size() > 1 && fits(sparse);
-    if (can_dense && (!can_sparse || dense_cost(dense) <= sparse_cost(sparse))) {
-        if (auto h = by_dense(std::move(dense), random, run)) return h;
-        return can_sparse ? by_sparse(std::move(sparse), random, run) : std::nullopt;
+    const bool can_dense = method != Interpolation::sparse && dense_fits(dense);
+    const bool can_sparse = method != Interpolation::dense && sparse.variables.size() > 1 && fits(sparse);
+    const bool dense_first = can_dense && (!can_sparse || dense_cost(dense) <= sparse_cost(sparse));
+    if (dense_first) {
+        if (auto h = by_dense(dense, random, run)) return h;
     }
     if (can_sparse) {
         if (auto h = by_sparse(std::move(sparse), random, run)) return h;
     }
-    return can_dense ? by_dense(std::move(dense), random, run) : std::nullopt;
+    return can_dense && !dense_first ? by_dense(std::move(dense), random, run) : std::nullopt;
 }
 
 } // namespace eliminant::algebra

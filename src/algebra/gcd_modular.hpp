@@ -10,6 +10,9 @@
 
 namespace eliminant::algebra {
 
+/// How images are put together.
+enum class Interpolation { automatic, dense, sparse };
+
 /// gcd of normalised polynomials in the same variables, by images over finite fields; proved by division.
 ///
 /// `bounds` are upper bounds of the degrees of the gcd, positive for each variable that occurs. Nothing if
@@ -17,6 +20,7 @@ namespace eliminant::algebra {
 /// do then.
 std::optional<Polynomial> gcd_by_images(const Polynomial& f, const Polynomial& g,
                                         std::span<const std::uint64_t> bounds, std::mt19937_64& random,
-                                        base::Run& run);
+                                        base::Run& run,
+                                        Interpolation method = Interpolation::automatic);
 
 } // namespace eliminant::algebra
