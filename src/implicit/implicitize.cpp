@@ -1,0 +1,153 @@
+#include "eliminant/implicit/implicitize.hpp"
+
+#include "eliminant/algebra/gcd.hpp"
+#include "implicit/closure.hpp"
+#include "implicit/domain.hpp"
+#include "implicit/kernel.hpp"
+
+#include <utility>
+
+namespace eliminant::implicit {
+
+using algebra::MonomialOrder;
+using algebra::Polynomial;
+
+namespace {
+
+constexpr const char* dense_warning = "the image is dense: no polynomial other than 0 vanishes on it";
+constexpr const char* empty_warning =
+    "the image is empty: the relations leave no parameter values at which all "
+    "coordinates are defined";
+constexpr const char* closure_warning =
+    "the equations describe the closure of the image, which may contain (real) points that no parameter "
+    "values reach";
+
+/// Whether the image is closed because it is a graph: all parameters are coordinates, up to scale, and there
+/// are no denominators.
+bool is_graph(const Parametrization& parametrization, const ProjectiveMap& map) {
+    if (!parametrization.relations().empty() || !parametrization.rotations().empty()) return false;
+    if (!map.forms.front().is_constant()) return false;
+    for (const std::size_t parameter : parametrization.parameters()) {
+        const Polynomial t = Polynomial::variable(parametrization.ring(), parameter);
+        bool occurs = false;
+        bool is_coordinate = false;
+        for (const Polynomial& form : map.forms) {
+            occurs |= form.degree(parameter) > 0;
+            is_coordinate |= form == t;
+        }
+        if (occurs && !is_coordinate) return false;
+    }
+    return true;
+}
+
+class Implicitization {
+  public:
+    Implicitization(const Parametrization& parametrization, const ImplicitizeOptions& options, base::Run& run)
+        : parametrization_(parametrization), options_(options), run_(run),
+          map_(over_common_denominator(parametrization, run)),
+          hypersurface_ring_(closure_ring(parametrization, MonomialOrder::degrevlex())),
+          several_ring_(closure_ring(parametrization, options.order)),
+          result_{hypersurface_ring_,         {},           0, Method::groebner, Assurance::proved, {},
+                  parametrization.warnings(), std::nullopt, {}} {}
+
+    ImplicitResult compute() {
+        if (parametrization_.relations().empty())
+            without_relations();
+        else
+            with_relations();
+        return std::move(result_);
+    }
+
+  private:
+    void without_relations() {
+        const std::size_t n = parametrization_.coordinates().size();
+        const std::size_t dimension = dimension_at_least(parametrization_, map_, run_);
+        if (dimension == n) {
+            result_.proof =
+                "the differential of the parametrization has full rank at a point modulo 2147483647";
+            warn(dense_warning);
+            return;
+        }
+        const GradedMap graded = graded_map(parametrization_, map_, {});
+        const auto codimension = dimension + 1 == n ? Codimension::one_at_most : Codimension::unknown;
+        const Kernel kernel = kernel_by_primes(graded, codimension, run_);
+        accept(graded, kernel);
+        result_.proof =
+            codimension == Codimension::one_at_most
+                ? "the equations are the kernel of a graded map, which is principal, since the "
+                  "differential of the parametrization has rank n - 1 at a point modulo 2147483647"
+                : "the equations are the kernel of a graded map";
+        result_.proof +=
+            "; coefficients from images modulo primes whose product exceeds twice the bound of what "
+            "has to vanish";
+    }
+
+    void with_relations() {
+        const auto domain = homogenized_domain(parametrization_, run_);
+        if (!domain) {
+            result_.equations = {Polynomial::constant(hypersurface_ring_, 1)};
+            result_.codimension = parametrization_.coordinates().size() + 1;
+            result_.proof = "the ideal of the domain is the unit ideal";
+            warn(empty_warning);
+            return;
+        }
+        const GradedMap graded = graded_map(parametrization_, map_, *domain);
+        accept(graded, kernel_over_rationals(graded, run_));
+        result_.proof =
+            "the equations are the radical of the kernel of a graded map, by a Groebner basis over QQ";
+    }
+
+    void accept(const GradedMap& graded, const Kernel& kernel) {
+        result_.statistics = {kernel.primes_used, kernel.statistics};
+        if (kernel.generators.empty()) {
+            warn(dense_warning);
+            return;
+        }
+        const bool several = kernel.generators.size() > 1;
+        if (several) result_.ring = several_ring_;
+        std::vector<Polynomial> equations =
+            dehomogenized(map_, graded, kernel.generators, result_.ring, run_);
+        if (several) equations = reduced_closure_basis(parametrization_, result_.ring, equations, run_);
+        if (!parametrization_.relations().empty()) equations = radical_of(std::move(equations));
+        if (several && equations.size() == 1) move_to_hypersurface_ring(equations);
+        result_.codimension = closure_codimension(parametrization_, equations, run_);
+        result_.equations = std::move(equations);
+        if (!is_graph(parametrization_, map_)) warn(closure_warning);
+    }
+
+    std::vector<Polynomial> radical_of(std::vector<Polynomial> equations) {
+        if (equations.size() == 1) return {squarefree_part(equations.front(), run_)};
+        return equations;
+    }
+
+    /// A single equation is printed by degrevlex, whatever order was asked for several.
+    void move_to_hypersurface_ring(std::vector<Polynomial>& equations) {
+        result_.ring = hypersurface_ring_;
+        equations.front() = equations.front().in_ring(hypersurface_ring_).primitive_part();
+    }
+
+    void warn(const char* sentence) { result_.warnings.emplace_back(sentence); }
+
+    const Parametrization& parametrization_;
+    const ImplicitizeOptions& options_;
+    base::Run& run_;
+    ProjectiveMap map_;
+    algebra::Ring hypersurface_ring_;
+    algebra::Ring several_ring_;
+    ImplicitResult result_;
+};
+
+} // namespace
+
+std::string_view to_string(Method method) { return method == Method::automatic ? "auto" : "groebner"; }
+
+std::string_view to_string(Assurance assurance) {
+    return assurance == Assurance::proved ? "proved" : "probable";
+}
+
+ImplicitResult implicitize(const Parametrization& parametrization, const ImplicitizeOptions& options,
+                           base::Run& run) {
+    return Implicitization(parametrization, options, run).compute();
+}
+
+} // namespace eliminant::implicit
