@@ -13,9 +13,6 @@ namespace eliminant::algebra {
 
 namespace {
 
-template <class Element>
-using Operands = std::pair<const TermList<Element>&, const TermList<Element>&>;
-
 /// One product once its spans, layout and accumulators are settled.
 template <class Sums>
 class Product {
@@ -71,15 +68,6 @@ const MonomialLayout& product_layout(const Ring& ring, std::span<const FieldSpan
 }
 
 template <class Sums>
-std::vector<typename Sums::Operand> operands_of(const Sums&,
-                                                const std::vector<typename Sums::Element>& coefficients) {
-    if constexpr (std::same_as<typename Sums::Operand, typename Sums::Element>)
-        return coefficients;
-    else
-        return small_values(coefficients);
-}
-
-template <class Sums>
 TermList<typename Sums::Element> product(const Ring& ring, const TermList<typename Sums::Element>& a,
                                          const TermList<typename Sums::Element>& b, const Sums& sums,
                                          const ProductOptions& options, base::Run& run) {
@@ -87,13 +75,14 @@ TermList<typename Sums::Element> product(const Ring& ring, const TermList<typena
     const auto spans_b = field_spans(*b.layout, b.monomials);
     const KeyLine line(product_layout(ring, spans_a, spans_b), spans_a, spans_b);
     Product<Sums> engine(line, sums, options, run);
+    const OperandValues<Sums> values_a(a.coefficients);
+    const OperandValues<Sums> values_b(b.coefficients);
     const auto compute = [&]<class Key>(std::type_identity<Key>) {
-        const auto keyed = [&](const auto& terms, const auto& spans) {
+        const auto keyed = [&](const auto& terms, const auto& spans, const auto& values) {
             return KeyedTerms<Key, typename Sums::Operand>{
-                as_keys<Key>(line.encode(*terms.layout, terms.monomials, spans), line.words()),
-                operands_of(sums, terms.coefficients)};
+                as_keys<Key>(line.encode(*terms.layout, terms.monomials, spans), line.words()), values};
         };
-        return engine.compute(keyed(a, spans_a), keyed(b, spans_b));
+        return engine.compute(keyed(a, spans_a, values_a), keyed(b, spans_b, values_b));
     };
     if (line.words() == 1) return compute(std::type_identity<std::uint64_t>{});
     if (line.words() == 2) return compute(std::type_identity<base::UInt128>{});

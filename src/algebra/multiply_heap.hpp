@@ -17,12 +17,14 @@ class ChainedHeap {
   public:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
+    /// For about so many rows.
     explicit ChainedHeap(std::size_t rows) : next_(rows, none) { nodes_.reserve(rows); }
 
     bool empty() const { return nodes_.empty(); }
     const Key& top() const { return nodes_.front().key; }
 
     void push(Key key, std::uint32_t row) {
+        if (row >= next_.size()) next_.resize(2 * std::size_t{row} + 1, none);
         std::size_t hole = nodes_.size();
         while (hole != 0) { // look for an equal key before anything moves
             const std::size_t parent = (hole - 1) / 2;

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace eliminant::algebra {
@@ -15,7 +16,7 @@ namespace eliminant::algebra {
 template <class Key, class Operand>
 struct KeyedTerms {
     std::vector<Key> keys;
-    std::vector<Operand> coefficients;
+    std::span<const Operand> coefficients;
     std::size_t size() const { return keys.size(); }
 };
 
@@ -79,7 +80,10 @@ void multiply_by_window(const KeyedTerms<Key, typename Sums::Operand>& a,
             cursor[row] = static_cast<std::uint32_t>(end);
             if (end < b.size()) agenda.push((a.keys[row] + b.keys[end]) >> window_bits, row);
         }
-        window.drain([&](std::size_t cell, auto&& value) { emit(low + cell, std::move(value)); });
+        window.drain([&](std::size_t cell, auto&& value) {
+            emit(low + cell, std::move(value));
+            return true;
+        });
     }
 }
 

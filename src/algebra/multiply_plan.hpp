@@ -43,24 +43,52 @@ struct WindowChoice {
     double cost = 0;
 };
 
+/// Of one product where the heap holds so many rows.
+inline double heap_cost(double rows) { return 6 + 2.5 * std::log2(rows + 1); }
+/// Of one product added to a window of so many bytes: level 1, 2 and 3 caches.
+inline double cell_cost(double bytes) {
+    return bytes <= 16e3 ? 0.8 : bytes <= 300e3 ? 1.0 : bytes <= 800e3 ? 1.4 : 3.0;
+}
+/// Of passing over one untouched cell.
+constexpr double scan_cost = 0.5 / 128;
+
 inline WindowChoice choose_window(const WindowCounts& a, const WindowCounts& b, double key_range,
                                   std::size_t cell_bytes) {
     const auto products = static_cast<double>(a[0]) * static_cast<double>(b[0]);
     WindowChoice best;
     best.swapped = b[0] < a[0];
-    best.cost = products * (6 + 2.5 * std::log2(static_cast<double>(std::min(a[0], b[0])) + 1));
+    best.cost = products * heap_cost(static_cast<double>(std::min(a[0], b[0])));
     for (unsigned m = min_window_bits; m <= max_window_bits; ++m) {
         const auto cells = std::ldexp(1.0, static_cast<int>(m));
         const double bytes = cells * static_cast<double>(cell_bytes);
-        const double per_product = bytes <= 16e3 ? 0.8 : bytes <= 300e3 ? 1.0 : bytes <= 800e3 ? 1.4 : 3.0;
         for (const bool swapped : {false, true}) {
             const double events = swapped ? static_cast<double>(b[0]) * static_cast<double>(a[m])
                                           : static_cast<double>(a[0]) * static_cast<double>(b[m]);
             const double visited = std::min(events, key_range / cells + 1);
             const double cost =
-                products * per_product + events * 6 + visited * cells / 128 * 0.5 + bytes * 0.05;
+                products * cell_cost(bytes) + events * 6 + visited * cells * scan_cost + bytes * 0.05;
             if (cost < best.cost) best = {m, swapped, cost};
             if (key_range < cells && m > min_window_bits) break;
+        }
+    }
+    return best;
+}
+
+/// The window for dividing a by b; the number of quotient terms is a guess between #a/#b and #a.
+inline unsigned choose_division_window(const WindowCounts& a, const WindowCounts& b, std::size_t cell_bytes) {
+    const auto divisor_terms = static_cast<double>(b[0]);
+    const double quotient_terms = static_cast<double>(a[0]) / std::sqrt(divisor_terms) + 1;
+    unsigned best = 0;
+    double least = quotient_terms * divisor_terms * heap_cost(quotient_terms);
+    for (unsigned m = min_window_bits; m <= max_window_bits; ++m) {
+        const double cells = std::ldexp(1.0, static_cast<int>(m));
+        const double bytes = cells * static_cast<double>(cell_bytes);
+        const double cost =
+            quotient_terms * (divisor_terms * cell_cost(bytes) + static_cast<double>(b[m]) * 6) +
+            static_cast<double>(a[m]) * cells * scan_cost + bytes * 0.05;
+        if (cost < least) {
+            least = cost;
+            best = m;
         }
     }
     return best;

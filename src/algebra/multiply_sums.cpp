@@ -2,6 +2,33 @@
 
 namespace eliminant::algebra {
 
+base::Int128 wide_value(const Integer& value) {
+    if (value.is_small()) return value.small_value();
+    const Integer::View view(value);
+    const auto low = static_cast<base::UInt128>(mpz_getlimbn(view, 0));
+    const auto high = static_cast<base::UInt128>(mpz_getlimbn(view, 1));
+    const auto magnitude = static_cast<base::Int128>(high << 64 | low);
+    return value.sign() < 0 ? -magnitude : magnitude;
+}
+
+void TripleSums::add_value(Cell& sum, const Integer& value) {
+    if (value.bit_length() < 127) {
+        sum.add(wide_value(value));
+        return;
+    }
+    const Integer::View view(value);
+    Cell limbs{mpz_getlimbn(view, 0), mpz_getlimbn(view, 1), mpz_getlimbn(view, 2)};
+    if (value.sign() < 0) {
+        limbs = {~limbs.low, ~limbs.middle, ~limbs.high};
+        limbs.add(1);
+    }
+    const auto lower = static_cast<base::UInt128>(limbs.middle) << 64 | limbs.low;
+    const auto before = static_cast<base::UInt128>(sum.middle) << 64 | sum.low;
+    const base::UInt128 after = before + lower;
+    sum = {static_cast<std::uint64_t>(after), static_cast<std::uint64_t>(after >> 64),
+           sum.high + limbs.high + (after < lower ? 1 : 0)};
+}
+
 Integer TripleSums::take(Cell& sum) {
     const Cell value = std::exchange(sum, Cell{});
     const auto lower = static_cast<base::UInt128>(value.middle) << 64 | value.low;

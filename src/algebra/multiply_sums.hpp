@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -20,7 +21,7 @@ namespace eliminant::algebra {
 /// Accumulators for sums of products, one type per width. The kernels are compiled for each:
 ///
 ///     Operand     factor as the kernel reads it        Element    coefficient of the result
-///     Cell        the sum; all bits zero means 0       polls      whether one product is worth a poll
+///     Cell        the sum; a new one is 0              polls      whether one product is worth a poll
 ///
 /// The caller bounds the sums beforehand, so no cell ever overflows.
 
@@ -42,13 +43,16 @@ struct ResidueSums {
         const std::uint64_t raised = sum + static_cast<std::uint64_t>(a) * b;
         sum = std::min(raised, raised - multiple);
     }
-    void subtract(Cell& sum, Operand a, Operand b) const { add(sum, a, field.negate(b)); }
-    void load(Cell& sum, Element value) const { sum = value; }
+    void add_value(Cell& sum, Element value) const { add(sum, value, 1); }
+    Operand negative(Element value) const { return field.negate(value); }
     /// The value; the cell is 0 afterwards.
     Element take(Cell& sum) const { return field.reduce(std::exchange(sum, 0)); }
     static bool is_zero(Element value) { return value == 0; }
     static bool is_empty(Cell sum) { return sum == 0; }
 };
+
+/// An integer below 2^127 in size.
+base::Int128 wide_value(const Integer& value);
 
 /// Sums below 2^63 (Sum = std::int64_t) or 2^127 (Sum = Int128) of products of word-size integers.
 template <class Sum>
@@ -57,9 +61,11 @@ struct WordSums {
     using Operand = std::int64_t;
     using Cell = Sum;
     static constexpr bool polls = false;
+    static constexpr std::size_t capacity = 8 * sizeof(Sum) - 1; ///< bits of the largest sum
 
     static void add(Cell& sum, Operand a, Operand b) { sum += static_cast<Sum>(a) * b; }
-    static void subtract(Cell& sum, Operand a, Operand b) { sum -= static_cast<Sum>(a) * b; }
+    static void add_value(Cell& sum, const Integer& value) { sum += static_cast<Sum>(wide_value(value)); }
+    static Operand negative(const Integer& value) { return -value.small_value(); }
     static Integer take(Cell& sum) { return Integer::from_wide(std::exchange(sum, 0)); }
     static bool is_zero(const Integer& value) { return value.is_zero(); }
     static bool is_empty(Cell sum) { return sum == 0; }
@@ -85,9 +91,11 @@ struct TripleSums {
     using Operand = std::int64_t;
     using Cell = TripleCell;
     static constexpr bool polls = false;
+    static constexpr std::size_t capacity = 191;
 
     static void add(Cell& sum, Operand a, Operand b) { sum.add(static_cast<base::Int128>(a) * b); }
-    static void subtract(Cell& sum, Operand a, Operand b) { sum.add(-(static_cast<base::Int128>(a) * b)); }
+    static void add_value(Cell& sum, const Integer& value);
+    static Operand negative(const Integer& value) { return -value.small_value(); }
     static Integer take(Cell& sum);
     static bool is_zero(const Integer& value) { return value.is_zero(); }
     static bool is_empty(const Cell& sum) { return (sum.low | sum.middle | sum.high) == 0; }
@@ -99,9 +107,11 @@ struct IntegerSums {
     using Operand = Integer;
     using Cell = Integer;
     static constexpr bool polls = true;
+    static constexpr std::size_t capacity = std::numeric_limits<std::size_t>::max();
 
     static void add(Cell& sum, const Integer& a, const Integer& b) { sum.add_product(a, b); }
-    static void subtract(Cell& sum, const Integer& a, const Integer& b) { sum.subtract_product(a, b); }
+    static void add_value(Cell& sum, const Integer& value) { sum += value; }
+    static Integer negative(const Integer& value) { return -value; }
     static Integer take(Cell& sum) { return std::exchange(sum, Integer()); }
     static bool is_zero(const Integer& value) { return value.is_zero(); }
     static bool is_empty(const Cell& sum) { return sum.is_zero(); }
@@ -120,7 +130,32 @@ inline std::size_t product_bits(const CoefficientSize& a, const CoefficientSize&
     return std::min(a.sum_bits + b.max_bits, a.max_bits + b.sum_bits);
 }
 
-/// The operands of Sums with words as factors.
 std::vector<std::int64_t> small_values(std::span<const Integer> coefficients);
+
+/// The coefficients of an operand as the kernels read them, without a copy where they are that already.
+template <class Sums>
+class OperandValues {
+  public:
+    using Operand = typename Sums::Operand;
+    static constexpr bool copies = !std::same_as<Operand, typename Sums::Element>;
+
+    explicit OperandValues(const std::vector<typename Sums::Element>& coefficients) {
+        if constexpr (copies) {
+            storage_ = small_values(coefficients);
+            values_ = storage_;
+        } else {
+            values_ = coefficients;
+        }
+    }
+    OperandValues(const OperandValues&) = delete;
+    OperandValues& operator=(const OperandValues&) = delete;
+    operator std::span<const Operand>() const {
+        return values_;
+    } // NOLINT(google-explicit-constructor): a view
+
+  private:
+    std::vector<Operand> storage_;
+    std::span<const Operand> values_;
+};
 
 } // namespace eliminant::algebra

@@ -4,6 +4,7 @@
 
 #include "multiply_heap.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -25,8 +26,10 @@ class Window {
     using Operand = typename Sums::Operand;
     static constexpr unsigned block_bits = min_window_bits - 3; // marks are read eight at a time
 
+    /// 2^bits cells; with bits = 0, one cell, the window serves as plain heap algorithm.
     Window(unsigned bits, const Sums& sums)
-        : size_(std::size_t{1} << bits), sums_(&sums), cells_(size_), marks_(size_ >> block_bits, 0) {}
+        : size_(std::size_t{1} << bits), sums_(&sums),
+          cells_(std::size_t{1} << std::max(bits, min_window_bits)), marks_(cells_.size() >> block_bits, 0) {}
 
     Cell& touch(std::size_t cell) {
         marks_[cell >> block_bits] = 1;
@@ -46,9 +49,10 @@ class Window {
         return j;
     }
 
-    /// Calls emit(cell, value) for the nonzero cells, last first, and clears the window.
-    template <class Emit>
-    void drain(Emit&& emit) {
+    /// Calls visit(cell, value) for the nonzero cells, last first, and clears the window; ends where that
+    /// returns false, and is then good for nothing. `visit` may touch smaller cells.
+    template <class Visit>
+    bool drain(Visit&& visit) {
         for (std::size_t group = marks_.size() / 8; group-- > 0;) {
             std::uint64_t marks = 0;
             std::memcpy(&marks, marks_.data() + group * 8, 8);
@@ -58,11 +62,12 @@ class Window {
                 for (std::size_t cell = (block + 1) << block_bits; cell-- > block << block_bits;) {
                     if (Sums::is_empty(cells_[cell])) continue;
                     auto value = sums_->take(cells_[cell]);
-                    if (!Sums::is_zero(value)) emit(cell, std::move(value));
+                    if (!Sums::is_zero(value) && !visit(cell, std::move(value))) return false;
                 }
             }
             std::memset(marks_.data() + group * 8, 0, 8);
         }
+        return true;
     }
 
   private:
@@ -78,7 +83,7 @@ class Window {
 template <class Key>
 class Agenda {
   public:
-    /// Windows 0 … last.
+    /// Windows 0 … last, pushed in any sequence below the last one popped; about `rows` rows.
     Agenda(std::size_t rows, Key last) : heap_(0), next_(rows, none) {
         if (last <= 16 * rows + 4096) {
             current_ = static_cast<std::size_t>(last) + 1;
@@ -88,10 +93,12 @@ class Agenda {
         }
     }
     void push(Key window, std::uint32_t row) {
-        if (lists_.empty())
+        if (lists_.empty()) {
             heap_.push(window, row);
-        else
-            next_[row] = std::exchange(lists_[static_cast<std::size_t>(window)], row);
+            return;
+        }
+        if (row >= next_.size()) next_.resize(2 * std::size_t{row} + 1, none);
+        next_[row] = std::exchange(lists_[static_cast<std::size_t>(window)], row);
     }
     /// The largest window with work and its rows; false if there is none.
     bool pop(Key& window, std::vector<std::uint32_t>& rows) {
