@@ -160,8 +160,10 @@ bool Ideal::is_unit(base::Run& run) const {
     return some_groebner_basis(run).front().is_constant();
 }
 
-bool Ideal::has_homogeneous_generators() const {
-    return std::ranges::all_of(generators(), &Polynomial::is_homogeneous);
+bool Ideal::is_homogeneous(base::Run& run) const {
+    // The reduced basis of a homogeneous ideal is homogeneous: reduction and normalisation stay in a degree.
+    return std::ranges::all_of(generators(), &Polynomial::is_homogeneous) ||
+           std::ranges::all_of(some_groebner_basis(run), &Polynomial::is_homogeneous);
 }
 
 } // namespace eliminant::ideal

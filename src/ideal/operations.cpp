@@ -1,6 +1,7 @@
 #include "eliminant/ideal/operations.hpp"
 
 #include "eliminant/algebra/arithmetic.hpp"
+#include "eliminant/algebra/gcd.hpp"
 #include "eliminant/groebner/buchberger.hpp"
 #include "ideal/parameter_trick.hpp"
 #include "ideal/ring_change.hpp"
@@ -55,6 +56,8 @@ Ideal power(const Ideal& I, std::uint64_t exponent, base::Run& run) {
 
 Ideal intersect(const Ideal& I, const Ideal& J, base::Run& run) {
     require_same_ring(I.ring(), J.ring(), "intersection of ideals");
+    if (I.generators().size() == 1 && J.generators().size() == 1)
+        return {I.ring(), {lcm(I.generators().front(), J.generators().front(), run)}};
     if (I.contains(J, run)) return J;
     if (J.contains(I, run)) return I;
     const WithParameter extended(I.ring());
@@ -78,6 +81,10 @@ Ideal quotient(const Ideal& I, const Polynomial& f, base::Run& run) {
     require_same_ring(I.ring(), f.ring(), "quotient of an ideal by a polynomial");
     if (f.is_constant()) return f.is_zero() ? Ideal::unit(I.ring()) : I;
     if (I.is_zero()) return I; // the ring is a domain
+    if (I.generators().size() == 1) {
+        const Polynomial& g = I.generators().front();
+        return {I.ring(), {divide_exactly(g, gcd(g, f, run), run)}};
+    }
     if (I.contains(f, run)) return Ideal::unit(I.ring());
     const Ideal multiples = intersect(I, Ideal(I.ring(), {f}), run);
     const MonomialOrder order = MonomialOrder::degrevlex();

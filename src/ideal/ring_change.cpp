@@ -82,6 +82,12 @@ std::vector<Polynomial> in_ring(std::span<const Polynomial> polynomials, const R
     return result;
 }
 
+std::vector<Polynomial> variables_of(const Ring& ring) {
+    std::vector<Polynomial> result;
+    for (std::size_t i = 0; i < ring.variable_count(); ++i) result.push_back(Polynomial::variable(ring, i));
+    return result;
+}
+
 MonomialOrder cheap_order(const Ring& ring) {
     return ring.order().is_graded() ? ring.order() : MonomialOrder::degrevlex();
 }

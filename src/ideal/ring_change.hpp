@@ -26,6 +26,9 @@ std::vector<std::size_t> map_to_subring(const algebra::Ring& ring, std::span<con
 std::vector<algebra::Polynomial> in_ring(std::span<const algebra::Polynomial> polynomials,
                                          const algebra::Ring& target);
 
+/// The variables, as polynomials.
+std::vector<algebra::Polynomial> variables_of(const algebra::Ring& ring);
+
 /// The order in which a basis is got most cheaply: the ring's own if it is graded, else degrevlex.
 algebra::MonomialOrder cheap_order(const algebra::Ring& ring);
 

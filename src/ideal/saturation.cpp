@@ -1,4 +1,7 @@
 #include "eliminant/algebra/arithmetic.hpp"
+#include "eliminant/algebra/evaluation.hpp"
+#include "eliminant/algebra/gcd.hpp"
+#include "eliminant/algebra/grading.hpp"
 #include "eliminant/groebner/buchberger.hpp"
 #include "eliminant/ideal/operations.hpp"
 #include "ideal/parameter_trick.hpp"
@@ -13,37 +16,17 @@ namespace eliminant::ideal {
 
 using algebra::MonomialOrder;
 using algebra::Polynomial;
-using algebra::PolynomialBuilder;
 using algebra::Ring;
 
 namespace {
 
 using Weights = std::vector<std::uint64_t>;
 
-/// The weighted degree that all terms of f share; nullopt if they do not, or for 0.
-std::optional<std::uint64_t> common_degree(const Polynomial& f, const Weights& weights) {
-    std::optional<std::uint64_t> common;
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        std::uint64_t degree = 0;
-        for (std::size_t j = 0; j < weights.size(); ++j) {
-            std::uint64_t part = 0;
-            if (__builtin_mul_overflow(f.exponent(i, j), weights[j], &part) ||
-                __builtin_add_overflow(degree, part, &degree))
-                return std::nullopt;
-        }
-        if (common.value_or(degree) != degree) return std::nullopt;
-        common = degree;
-    }
-    return common;
-}
-
 /// Positive weights for which I and f are homogeneous: all 1, or those of the ring's order.
 std::optional<Weights> grading_of(const Ideal& I, const Polynomial& f) {
     for (const Weights& weights : {Weights(I.ring().variable_count(), 1), I.ring().order().weights()}) {
         const auto is_positive = [](std::uint64_t w) { return w > 0; };
-        const auto is_homogeneous = [&](const Polynomial& g) {
-            return common_degree(g, weights).has_value();
-        };
+        const auto is_homogeneous = [&](const Polynomial& g) { return algebra::is_homogeneous(g, weights); };
         if (!weights.empty() && std::ranges::all_of(weights, is_positive) && is_homogeneous(f) &&
             std::ranges::all_of(I.generators(), is_homogeneous))
             return weights;
@@ -92,39 +75,30 @@ Ideal divide_out_variable(const Ideal& I, std::size_t variable, const Weights& w
     return {I.ring(), in_ring(divided, I.ring())};
 }
 
-/// f(x, y) for the last variable y of its ring replaced by `value`, which is of the ring of the others.
-Polynomial with_last_variable(const Polynomial& f, const Polynomial& value, base::Run& run) {
-    const Ring& target = value.ring();
-    const std::size_t y = target.variable_count();
-    const auto degree = static_cast<std::size_t>(std::max<std::int64_t>(f.degree(y), 0));
-    std::vector<PolynomialBuilder> coefficients(degree + 1, PolynomialBuilder(target));
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        std::vector<std::uint64_t> exponents = f.monomial(i).exponents();
-        const auto power = static_cast<std::size_t>(exponents.back());
-        exponents.pop_back();
-        const mpq_class c = f.coefficient(i);
-        coefficients[power].add(algebra::Integer(c.get_num()), algebra::Integer(c.get_den()), exponents);
-    }
-    Polynomial result(target);
-    for (std::size_t k = coefficients.size(); k-- > 0;)
-        result = multiply(result, value, run) + coefficients[k].build();
-    return result;
-}
-
 /// I : f^∞ for homogeneous I and f: f gets the name y, which is divided out of I + (y − f).
 Ideal divide_out_polynomial(const Ideal& I, const Polynomial& f, Weights weights, base::Run& run) {
-    weights.push_back(*common_degree(f, weights));
+    weights.push_back(static_cast<std::uint64_t>(weighted_degree(f, weights)));
     std::vector<std::string> names = I.ring().names();
     names.push_back(fresh_name(I.ring(), "y"));
     const Ring ring(I.ring().field(), std::move(names), revlex_order(weights));
     const std::size_t y = I.ring().variable_count();
     std::vector<Polynomial> generators = in_ring(I.generators(), ring);
     generators.push_back(Polynomial::variable(ring, y) - f.in_ring(ring));
-    const Ideal graph(ring, std::move(generators));
-    const Ideal saturated = divide_out_variable(graph, y, weights, run);
-    std::vector<Polynomial> images;
-    for (const Polynomial& g : saturated.groebner_basis(run)) images.push_back(with_last_variable(g, f, run));
-    return {I.ring(), std::move(images)};
+    const Ideal saturated = divide_out_variable(Ideal(ring, std::move(generators)), y, weights, run);
+    std::vector<Polynomial> images = variables_of(I.ring());
+    images.push_back(f);
+    std::vector<Polynomial> result;
+    for (const Polynomial& g : saturated.groebner_basis(run))
+        result.push_back(compose(g, I.ring(), images, run));
+    return {I.ring(), std::move(result)};
+}
+
+/// (g) : f^∞ for squarefree f: g without the factors that it shares with f.
+Ideal divide_out_common_factors(Polynomial g, const Polynomial& f, base::Run& run) {
+    for (Polynomial common = gcd(g, f, run); !common.is_constant(); common = gcd(g, common, run))
+        g = divide_exactly(g, common, run);
+    const Ring ring = g.ring();
+    return {ring, {std::move(g)}};
 }
 
 /// (I + (1 − t·f)) ∩ K[x].
@@ -141,18 +115,20 @@ Ideal rabinowitsch(const Ideal& I, const Polynomial& f, base::Run& run) {
 Ideal saturate(const Ideal& I, const Polynomial& f, base::Run& run) {
     require_same_ring(I.ring(), f.ring(), "saturation of an ideal by a polynomial");
     if (f.is_zero()) return Ideal::unit(I.ring());
+    if (I.is_zero() || f.is_constant()) return I;
+    Polynomial rest = squarefree_part(f, run);
+    if (I.generators().size() == 1) return divide_out_common_factors(I.generators().front(), rest, run);
     Ideal result = I;
-    Polynomial rest = f;
-    for (std::size_t i = 0; i < I.ring().variable_count() && !result.is_zero(); ++i) {
-        const Polynomial cofactor = without_factor(rest, i);
+    for (std::size_t i = 0; i < I.ring().variable_count(); ++i) {
+        Polynomial cofactor = without_factor(rest, i);
         if (cofactor == rest) continue;
-        rest = cofactor;
+        rest = std::move(cofactor);
         const Polynomial variable = Polynomial::variable(I.ring(), i);
         const auto grading = grading_of(result, variable);
         result =
             grading ? divide_out_variable(result, i, *grading, run) : rabinowitsch(result, variable, run);
     }
-    if (result.is_zero() || rest.is_constant()) return result;
+    if (rest.is_constant()) return result;
     const auto grading = grading_of(result, rest);
     return grading ? divide_out_polynomial(result, rest, *grading, run) : rabinowitsch(result, rest, run);
 }

@@ -11,12 +11,12 @@
 namespace eliminant::ideal {
 namespace {
 
-using test::describe;
-using test::number;
-using test::Random;
-using test::random_ideal;
-using test::random_polynomial;
-using test::variables;
+using testing::describe;
+using testing::number;
+using testing::Random;
+using testing::random_ideal;
+using testing::random_small;
+using testing::variables;
 
 Ring qq(std::vector<std::string> names, MonomialOrder order = MonomialOrder::degrevlex()) {
     return {CoefficientField::rationals(), std::move(names), std::move(order)};
@@ -25,7 +25,7 @@ Ring qq(std::vector<std::string> names, MonomialOrder order = MonomialOrder::deg
 TEST(Ideal, HasTheReducedBasisOfItsOrder) {
     Random random(11);
     base::Run run;
-    for (const Ring& ring : test::sample_rings()) {
+    for (const Ring& ring : testing::sample_rings()) {
         const Ideal I = random_ideal(ring, random, 3, 4, 2);
         for (const MonomialOrder& order : {ring.order(), MonomialOrder::lex(), MonomialOrder::degrevlex()}) {
             const std::vector<Polynomial>& basis = I.groebner_basis(order, run);
@@ -40,14 +40,14 @@ TEST(Ideal, HasTheReducedBasisOfItsOrder) {
 TEST(Ideal, ContainsExactlyTheCombinationsOfItsGenerators) {
     Random random(12);
     base::Run run;
-    for (const Ring& ring : test::sample_rings()) {
+    for (const Ring& ring : testing::sample_rings()) {
         const Ideal I = random_ideal(ring, random, 2, 3, 2);
         Polynomial member(ring);
-        for (const Polynomial& f : I.generators()) member += f * random_polynomial(ring, random, 3, 2);
+        for (const Polynomial& f : I.generators()) member += f * random_small(ring, random, 3, 2);
         EXPECT_TRUE(I.contains(member, run)) << describe(I);
         EXPECT_TRUE(I.normal_form(member, run).is_zero()) << describe(I);
 
-        const Polynomial f = random_polynomial(ring, random, 5, 3);
+        const Polynomial f = random_small(ring, random, 5, 3);
         const Polynomial remainder = I.normal_form(f, run);
         EXPECT_EQ(I.normal_form(f + member, run), remainder) << describe(I);
         EXPECT_TRUE(I.contains(f - remainder, run)) << describe(I);
@@ -62,17 +62,17 @@ TEST(Ideal, ContainsExactlyTheCombinationsOfItsGenerators) {
 TEST(Ideal, EqualityDoesNotDependOnTheGenerators) {
     Random random(13);
     base::Run run;
-    for (const Ring& ring : test::sample_rings()) {
+    for (const Ring& ring : testing::sample_rings()) {
         const Ideal I = random_ideal(ring, random, 3, 3, 2);
         std::vector<Polynomial> others = I.generators();
         if (others.size() < 2) continue;
-        others[0] += others[1] * random_polynomial(ring, random, 2, 1);
+        others[0] += others[1] * random_small(ring, random, 2, 1);
         others.push_back(others[0]);
         others.insert(others.begin(), Polynomial(ring));
         const Ideal J(ring, others);
         EXPECT_TRUE(I.equals(J, run)) << describe(I);
         EXPECT_TRUE(I.contains(J, run) && J.contains(I, run)) << describe(I);
-        const Ideal larger = sum(I, Ideal(ring, {random_polynomial(ring, random, 3, 2)}));
+        const Ideal larger = sum(I, Ideal(ring, {random_small(ring, random, 3, 2)}));
         EXPECT_EQ(larger.equals(I, run), I.contains(larger, run)) << describe(I);
     }
 }
@@ -80,8 +80,8 @@ TEST(Ideal, EqualityDoesNotDependOnTheGenerators) {
 TEST(Ideal, ZeroAndUnitIdealsAreOrdinary) {
     base::Run run;
     for (std::size_t n : {0U, 1U, 3U}) {
-        for (const CoefficientField& field : test::sample_fields()) {
-            const Ring ring(field, test::numbered_names(n));
+        for (const Ring& sample : testing::sample_fields()) {
+            const Ring ring(sample.field(), testing::numbered_names(n));
             const Ideal zero(ring, {Polynomial(ring), Polynomial(ring)});
             const Ideal unit(ring, {number(ring, 3), number(ring, 5)});
             EXPECT_TRUE(zero.is_zero());
@@ -132,7 +132,7 @@ TEST(Ideal, KeepsItsBases) {
 
 /// Cyclic 8-roots over ℚ: far out of reach of the time that the tests below allow.
 Ideal long_work() {
-    const Ring ring = qq(test::numbered_names(8));
+    const Ring ring = qq(testing::numbered_names(8));
     std::vector<Polynomial> generators;
     for (std::size_t length = 1; length < 8; ++length) {
         Polynomial f(ring);

@@ -10,12 +10,12 @@
 namespace eliminant::ideal {
 namespace {
 
-using test::describe;
-using test::number;
-using test::Random;
-using test::random_ideal;
-using test::random_polynomial;
-using test::variables;
+using testing::describe;
+using testing::number;
+using testing::Random;
+using testing::random_ideal;
+using testing::random_small;
+using testing::variables;
 
 const Ring xyz(CoefficientField::rationals(), {"x", "y", "z"});
 
@@ -24,7 +24,7 @@ template <class Check>
 void for_random_pairs(std::uint64_t seed, Check&& check) {
     Random random(seed);
     for (int round = 0; round < 4; ++round) {
-        for (const Ring& ring : test::sample_rings()) {
+        for (const Ring& ring : testing::sample_rings()) {
             const bool homogeneous = round % 2 == 0;
             const Ideal I = random_ideal(ring, random, 2, 2 + random() % 2, 2, homogeneous);
             const Ideal J = random_ideal(ring, random, 1 + random() % 2, 2, 2, random() % 2 == 0);
@@ -45,8 +45,8 @@ TEST(Operations, SumIsTheLeastIdealAboveBoth) {
         const Ideal S = sum(I, J);
         EXPECT_TRUE(S.contains(I, run) && S.contains(J, run));
         if (I.is_zero() || J.is_zero()) return;
-        EXPECT_TRUE(S.contains(
-            I.generators()[0] * random_polynomial(I.ring(), random, 2, 1) - J.generators()[0], run));
+        EXPECT_TRUE(
+            S.contains(I.generators()[0] * random_small(I.ring(), random, 2, 1) - J.generators()[0], run));
         EXPECT_TRUE(S.equals(sum(J, I), run));
     });
 }
@@ -68,10 +68,10 @@ TEST(Operations, ProductLiesInTheIntersection) {
 TEST(Operations, ProductOfComaximalIdealsIsTheIntersection) {
     base::Run run;
     Random random(23);
-    for (const Ring& ring : test::sample_rings()) {
-        const Polynomial f = random_polynomial(ring, random, 3, 2);
-        const Ideal I(ring, {f, random_polynomial(ring, random, 2, 1)});
-        const Ideal J(ring, {f + number(ring, 1), random_polynomial(ring, random, 2, 1)});
+    for (const Ring& ring : testing::sample_rings()) {
+        const Polynomial f = random_small(ring, random, 3, 2);
+        const Ideal I(ring, {f, random_small(ring, random, 2, 1)});
+        const Ideal J(ring, {f + number(ring, 1), random_small(ring, random, 2, 1)});
         EXPECT_TRUE(product(I, J, run).equals(intersect(I, J, run), run)) << describe(I) << describe(J);
     }
 }
@@ -118,9 +118,9 @@ TEST(Operations, QuotientIsTheLargestIdealThatMultipliesIn) {
 TEST(Operations, QuotientRemovesAFactor) {
     base::Run run;
     Random random(26);
-    for (const Ring& ring : test::sample_rings()) {
+    for (const Ring& ring : testing::sample_rings()) {
         const Ideal I = random_ideal(ring, random, 2, 3, 2);
-        const Polynomial f = random_polynomial(ring, random, 3, 2);
+        const Polynomial f = random_small(ring, random, 3, 2);
         if (f.is_zero()) continue;
         EXPECT_TRUE(quotient(product(I, ideal({f}), run), f, run).equals(I, run))
             << describe(I) << describe(f);
@@ -132,7 +132,7 @@ TEST(Operations, QuotientRemovesAFactor) {
 
 TEST(Operations, DegenerateQuotients) {
     base::Run run;
-    for (const Ring& ring : test::sample_rings()) {
+    for (const Ring& ring : testing::sample_rings()) {
         const Polynomial x = Polynomial::variable(ring, 0);
         const Ideal I(ring, {x * x});
         const Ideal zero(ring);
@@ -289,7 +289,7 @@ TEST(Elimination, TextbookExamples) {
 
 TEST(Elimination, OfAllOrNoneOfTheVariables) {
     base::Run run;
-    for (const Ring& ring : test::sample_rings()) {
+    for (const Ring& ring : testing::sample_rings()) {
         const Polynomial x = Polynomial::variable(ring, 0);
         std::vector<std::size_t> all(3);
         std::iota(all.begin(), all.end(), std::size_t{0});
@@ -333,7 +333,7 @@ TEST(Operations, SurviveVariablesNamedLikeTheirOwn) {
 
 TEST(Dimension, OfKnownVarieties) {
     base::Run run;
-    for (const Ring& ring : test::sample_rings()) {
+    for (const Ring& ring : testing::sample_rings()) {
         const auto [x, y, z] = variables<3>(ring);
         const Polynomial one = number(ring, 1);
         EXPECT_EQ(dimension(Ideal(ring), run), 3);
@@ -380,7 +380,7 @@ TEST(Dimension, OfEdgeIdealsIsTheIndependenceNumber) {
     Random random(62);
     for (int round = 0; round < 20; ++round) {
         const std::size_t n = 1 + random() % 12;
-        const Ring ring(CoefficientField::prime(7), test::numbered_names(n));
+        const Ring ring(CoefficientField::prime(7), testing::numbered_names(n));
         std::vector<Polynomial> edges;
         std::vector<std::uint32_t> masks;
         for (std::size_t i = 0; i < n; ++i) {

@@ -66,9 +66,8 @@ class Ideal {
     bool equals(const Ideal& other, base::Run& run) const;
     bool is_zero() const { return generators().empty(); } ///< Whether 0 is the only element.
     bool is_unit(base::Run& run) const;                   ///< Whether 1 is an element.
-    /// Whether all generators are homogeneous by total degree. An ideal may have homogeneous generators and
-    /// be given by others: then this says false.
-    bool has_homogeneous_generators() const;
+    /// Whether it has homogeneous generators (by total degree). No basis is needed if it is given by such.
+    bool is_homogeneous(base::Run& run) const;
 
     /// For algorithms that come by a reduced Groebner basis themselves: the ideal it generates, with the
     /// basis kept. `basis` is of `ring.with_order(order)` and must be exactly what groebner_basis(order)
