@@ -1,6 +1,6 @@
 #include "galois_field.hpp"
 
-#include <random>
+#include "random.hpp"
 
 namespace eliminant::algebra {
 
@@ -64,10 +64,10 @@ std::vector<std::uint64_t> prime_divisors(std::uint64_t n) {
 /// x, so the quotient is a field, and no separate test of irreducibility is needed.
 PolynomialQuotient primitive_quotient(std::uint32_t p, unsigned k, std::uint64_t group) {
     const auto primes = prime_divisors(group);
-    std::mt19937_64 random(p);
+    Random random(p);
     while (true) {
         PolynomialQuotient::Digits tail(k);
-        for (auto& digit : tail) digit = static_cast<std::uint32_t>(random() % p);
+        for (auto& digit : tail) digit = random.below(p);
         if (tail[0] == 0) continue;
         PolynomialQuotient quotient(p, std::move(tail));
         const auto one = quotient.one();

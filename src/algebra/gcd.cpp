@@ -6,11 +6,11 @@
 #include "gcd_degrees.hpp"
 #include "gcd_modular.hpp"
 #include "gcd_remainders.hpp"
+#include "random.hpp"
 #include "term_maps.hpp"
 
 #include <algorithm>
 #include <numeric>
-#include <random>
 #include <utility>
 
 namespace eliminant::algebra {
@@ -55,7 +55,7 @@ Polynomial gcd_of_coefficients(const Polynomial& f, const Polynomial& g,
 Polynomial gcd_without_monomials(const Polynomial& f, const Polynomial& g, base::Run& run) {
     if (f.is_constant() || g.is_constant()) return one(f.ring());
     if (associated(f, g)) return f;
-    std::mt19937_64 random(run.seed());
+    Random random(run.seed());
     const auto bounds = gcd_degree_bounds(f, g, random, run);
     if (std::ranges::all_of(bounds, [](std::uint64_t bound) { return bound == 0; })) return one(f.ring());
 

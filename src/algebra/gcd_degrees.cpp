@@ -77,14 +77,13 @@ class UnivariateImages {
 /// Lowers the bounds of the variables by images at one random point.
 template <class Field>
 void lower_bounds(const Field& field, const Polynomial& f, const Polynomial& g,
-                  std::vector<std::size_t> variables, std::vector<std::uint64_t>& bounds,
-                  std::mt19937_64& random, base::Run& run) {
+                  std::vector<std::size_t> variables, std::vector<std::uint64_t>& bounds, Random& random,
+                  base::Run& run) {
     // A second point for those variables where both leading coefficients vanish; after that the degree has to
     // do.
     for (int round = 0; round < 2 && !variables.empty(); ++round) {
         dense::Vector point(bounds.size());
-        for (dense::Element& c : point)
-            c = static_cast<dense::Element>(1 + random() % (field_size(field) - 1));
+        for (dense::Element& c : point) c = 1 + random.below(field_size(field) - 1);
         const UnivariateImages<Field> images_of(field, variables, point);
         auto images_f = images_of(f, run);
         auto images_g = images_of(g, run);
@@ -105,8 +104,8 @@ void lower_bounds(const Field& field, const Polynomial& f, const Polynomial& g,
 
 } // namespace
 
-std::vector<std::uint64_t> gcd_degree_bounds(const Polynomial& f, const Polynomial& g,
-                                             std::mt19937_64& random, base::Run& run) {
+std::vector<std::uint64_t> gcd_degree_bounds(const Polynomial& f, const Polynomial& g, Random& random,
+                                             base::Run& run) {
     const std::size_t n = f.ring().variable_count();
     std::vector<std::uint64_t> bounds(n);
     std::vector<std::size_t> variables;

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "random.hpp"
+
 #include "eliminant/algebra/polynomial.hpp"
 #include "eliminant/base/run.hpp"
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 namespace eliminant::algebra {
@@ -16,7 +17,7 @@ namespace eliminant::algebra {
 /// leading coefficient in x of f (or g) does not vanish in the image, nor does that of h, which divides it.
 /// So the degree of the images' gcd bounds that of h. Over ℚ the images are taken modulo a prime, which
 /// changes nothing in this, over a small field in an extension.
-std::vector<std::uint64_t> gcd_degree_bounds(const Polynomial& f, const Polynomial& g,
-                                             std::mt19937_64& random, base::Run& run);
+std::vector<std::uint64_t> gcd_degree_bounds(const Polynomial& f, const Polynomial& g, Random& random,
+                                             base::Run& run);
 
 } // namespace eliminant::algebra

@@ -65,7 +65,7 @@ std::optional<DenseBox> DenseGcd<Field>::interpolated(const DenseBox& f, const D
     std::optional<NewtonInterpolation<Field>> sum;
     std::size_t leading_of_sum = 0; // index of the leading entry of its images
     const std::uint32_t size = field_size(field_);
-    const auto first = static_cast<dense::Element>(random_() % size);
+    const auto first = random_.below(size);
     std::size_t unlucky = 0;
     for (std::uint32_t i = 0; i < size && unlucky <= bound + 8; ++i) {
         run_.poll();

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "random.hpp"
 #include "univariate_mod_p.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <span>
 #include <vector>
 
@@ -39,7 +39,7 @@ template <class Field>
 class DenseGcd {
   public:
     /// `bounds` are upper bounds of the degrees of the gcd, one a variable.
-    DenseGcd(const Field& field, std::vector<std::size_t> bounds, std::mt19937_64& random, base::Run& run)
+    DenseGcd(const Field& field, std::vector<std::size_t> bounds, Random& random, base::Run& run)
         : field_(field), bounds_(std::move(bounds)), random_(random), run_(run) {}
 
     /// gcd of two nonzero polynomials with leading coefficient 1, in a box of extents bounds + 1; nothing if
@@ -57,7 +57,7 @@ class DenseGcd {
 
     const Field& field_;
     std::vector<std::size_t> bounds_;
-    std::mt19937_64& random_;
+    Random& random_;
     base::Run& run_;
 };
 

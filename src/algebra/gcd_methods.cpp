@@ -26,7 +26,7 @@ SparseImage sparse_image(const Field& field, const TermRows& rows) {
 
 class DenseMethod final : public ImageMethod {
   public:
-    DenseMethod(GcdProblem problem, std::mt19937_64& random, base::Run& run)
+    DenseMethod(GcdProblem problem, Random& random, base::Run& run)
         : problem_(std::move(problem)), random_(random), run_(run),
           f_(term_rows(problem_.f, problem_.variables, run)),
           g_(term_rows(problem_.g, problem_.variables, run)) {
@@ -89,7 +89,7 @@ class DenseMethod final : public ImageMethod {
     }
 
     GcdProblem problem_;
-    std::mt19937_64& random_;
+    Random& random_;
     base::Run& run_;
     TermRows f_;
     TermRows g_;
@@ -99,7 +99,7 @@ class DenseMethod final : public ImageMethod {
 /// f and g are primitive with respect to the main variable.
 class SparseMethod final : public ImageMethod {
   public:
-    SparseMethod(GcdProblem problem, std::mt19937_64& random, base::Run& run)
+    SparseMethod(GcdProblem problem, Random& random, base::Run& run)
         : problem_(std::move(problem)), random_(random), run_(run),
           f_(term_rows(problem_.f, problem_.variables, run)),
           g_(term_rows(problem_.g, problem_.variables, run)) {
@@ -161,7 +161,7 @@ class SparseMethod final : public ImageMethod {
     }
 
     GcdProblem problem_;
-    std::mt19937_64& random_;
+    Random& random_;
     base::Run& run_;
     TermRows f_;
     TermRows g_;
@@ -172,11 +172,11 @@ class SparseMethod final : public ImageMethod {
 
 } // namespace
 
-std::unique_ptr<ImageMethod> dense_method(GcdProblem problem, std::mt19937_64& random, base::Run& run) {
+std::unique_ptr<ImageMethod> dense_method(GcdProblem problem, Random& random, base::Run& run) {
     return std::make_unique<DenseMethod>(std::move(problem), random, run);
 }
 
-std::unique_ptr<ImageMethod> sparse_method(GcdProblem problem, std::mt19937_64& random, base::Run& run) {
+std::unique_ptr<ImageMethod> sparse_method(GcdProblem problem, Random& random, base::Run& run) {
     return std::make_unique<SparseMethod>(std::move(problem), random, run);
 }
 

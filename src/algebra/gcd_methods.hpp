@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gcd_problem.hpp"
+#include "random.hpp"
 
 #include "eliminant/algebra/polynomial.hpp"
 #include "eliminant/base/run.hpp"
@@ -9,7 +10,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <random>
 #include <span>
 #include <utility>
 #include <vector>
@@ -46,9 +46,9 @@ class ImageMethod {
 };
 
 /// Brown's method; any two nonzero polynomials.
-std::unique_ptr<ImageMethod> dense_method(GcdProblem problem, std::mt19937_64& random, base::Run& run);
+std::unique_ptr<ImageMethod> dense_method(GcdProblem problem, Random& random, base::Run& run);
 
 /// Zippel's method; polynomials in at least two variables that are primitive with respect to the first.
-std::unique_ptr<ImageMethod> sparse_method(GcdProblem problem, std::mt19937_64& random, base::Run& run);
+std::unique_ptr<ImageMethod> sparse_method(GcdProblem problem, Random& random, base::Run& run);
 
 } // namespace eliminant::algebra

@@ -129,13 +129,13 @@ std::optional<Polynomial> by_method(ImageMethod& method, const Polynomial& f, co
                                            : over_prime_field(method, f, g, run);
 }
 
-std::optional<Polynomial> by_dense(GcdProblem problem, std::mt19937_64& random, base::Run& run) {
+std::optional<Polynomial> by_dense(GcdProblem problem, Random& random, base::Run& run) {
     const Polynomial& f = problem.f;
     const Polynomial& g = problem.g;
     return by_method(*dense_method(std::move(problem), random, run), f, g, run);
 }
 
-std::optional<Polynomial> by_sparse(GcdProblem problem, std::mt19937_64& random, base::Run& run) {
+std::optional<Polynomial> by_sparse(GcdProblem problem, Random& random, base::Run& run) {
     const Polynomial& f = problem.f;
     const Polynomial& g = problem.g;
     const auto main = std::span(problem.variables).first(1);
@@ -153,8 +153,8 @@ std::optional<Polynomial> by_sparse(GcdProblem problem, std::mt19937_64& random,
 } // namespace
 
 std::optional<Polynomial> gcd_by_images(const Polynomial& f, const Polynomial& g,
-                                        std::span<const std::uint64_t> bounds, std::mt19937_64& random,
-                                        base::Run& run, Interpolation method) {
+                                        std::span<const std::uint64_t> bounds, Random& random, base::Run& run,
+                                        Interpolation method) {
     GcdProblem problem{f, g, {}, {}};
     for (std::size_t v = 0; v < bounds.size(); ++v) {
         if (f.degree(v) <= 0) continue;

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "random.hpp"
+
 #include "eliminant/algebra/polynomial.hpp"
 #include "eliminant/base/run.hpp"
 
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <span>
 
 namespace eliminant::algebra {
@@ -19,8 +20,7 @@ enum class Interpolation { automatic, dense, sparse };
 /// degrees are too high for dense univariate images or the field offers too few points; another method has to
 /// do then.
 std::optional<Polynomial> gcd_by_images(const Polynomial& f, const Polynomial& g,
-                                        std::span<const std::uint64_t> bounds, std::mt19937_64& random,
-                                        base::Run& run,
+                                        std::span<const std::uint64_t> bounds, Random& random, base::Run& run,
                                         Interpolation method = Interpolation::automatic);
 
 } // namespace eliminant::algebra

@@ -1,41 +1,15 @@
 #pragma once
 
-#include "univariate_mod_p.hpp"
+#include "exponent_rows.hpp"
+#include "random.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <span>
 #include <vector>
 
 namespace eliminant::algebra {
-
-/// Exponent vectors as rows of equal length, strictly decreasing in lex.
-struct ExponentRows {
-    std::size_t variables = 0;
-    std::vector<std::uint64_t> entries; ///< row after row
-    std::size_t count = 0;
-
-    std::span<const std::uint64_t> row(std::size_t i) const {
-        return std::span(entries).subspan(i * variables, variables);
-    }
-    void push_back(std::span<const std::uint64_t> row) {
-        entries.insert(entries.end(), row.begin(), row.end());
-        ++count;
-    }
-};
-
-/// The terms of a polynomial over a finite field.
-struct SparseImage {
-    ExponentRows exponents;
-    dense::Vector coefficients;
-
-    void push_back(std::span<const std::uint64_t> row, dense::Element coefficient) {
-        exponents.push_back(row);
-        coefficients.push_back(coefficient);
-    }
-};
 
 /// gcd over a finite field by sparse interpolation (Zippel 1979).
 ///
@@ -53,7 +27,7 @@ class SparseGcd {
     /// Arguments over the same n variables; γ does not contain the first. degrees[i] bounds the degree of H
     /// in variable i; degrees[0] is that of h.
     SparseGcd(const Field& field, const SparseImage& f, const SparseImage& g, const SparseImage& gamma,
-              std::vector<std::size_t> degrees, std::mt19937_64& random, base::Run& run);
+              std::vector<std::size_t> degrees, Random& random, base::Run& run);
 
     /// H; nothing if random choices were unlucky.
     std::optional<SparseImage> operator()();
@@ -63,13 +37,16 @@ class SparseGcd {
     std::optional<dense::Vector> on_support(const ExponentRows& support);
 
   private:
-    class Support;
     class Images;
-    /// A polynomial with its last variables evaluated: layers[k] has the first k + 1 of them left.
-    using Layers = std::vector<SparseImage>;
+    /// A polynomial in the first k + 1 variables, values being in the place of the others.
+    struct Layer {
+        SparseImage image;
+        std::vector<std::size_t> ends; ///< where the rows with one prefix, a row of the layer below, end
+    };
+    using Layers = std::vector<Layer>;
 
     Layers layers_of(const SparseImage& f, const dense::Vector& point);
-    dense::Vector collapsed(const SparseImage& f, const ExponentRows& prefixes, dense::Element value);
+    dense::Vector at(const Layer& layer, dense::Element value) const;
     dense::Vector random_point();
     SparseImage led_by(const SparseImage& gamma) const;
     bool extend(std::size_t k, dense::Element known_point, SparseImage& h, const Layers& f, const Layers& g,
@@ -80,7 +57,7 @@ class SparseGcd {
     const SparseImage& g_;
     const SparseImage& gamma_;
     std::vector<std::size_t> degrees_;
-    std::mt19937_64& random_;
+    Random& random_;
     base::Run& run_;
 };
 

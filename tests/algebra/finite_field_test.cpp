@@ -19,7 +19,8 @@ template <class Check>
 void for_each_field(const Check& check) {
     base::Run run;
     for (const std::uint64_t p : {2U, 3U, 101U, 65537U, 2147483647U}) check(PrimeField(p));
-    for (const auto& [p, k] : {std::pair{2U, 2U}, {2U, 3U}, {3U, 2U}, {5U, 2U}, {2U, 12U}, {3U, 7U}, {101U, 2U}, {7U, 1U}})
+    for (const auto& [p, k] :
+         {std::pair{2U, 2U}, {2U, 3U}, {3U, 2U}, {5U, 2U}, {2U, 12U}, {3U, 7U}, {101U, 2U}, {7U, 1U}})
         check(GaloisField(p, k, run));
 }
 
@@ -58,7 +59,8 @@ TEST(GaloisField, IsAField) {
                 EXPECT_EQ(field.multiply(a, b), field.multiply(b, a));
                 for (std::uint32_t c = 0; c < q; ++c) {
                     EXPECT_EQ(field.add(field.add(a, b), c), field.add(a, field.add(b, c)));
-                    EXPECT_EQ(field.multiply(field.multiply(a, b), c), field.multiply(a, field.multiply(b, c)));
+                    EXPECT_EQ(field.multiply(field.multiply(a, b), c),
+                              field.multiply(a, field.multiply(b, c)));
                     EXPECT_EQ(field.multiply(a, field.add(b, c)),
                               field.add(field.multiply(a, b), field.multiply(a, c)));
                 }

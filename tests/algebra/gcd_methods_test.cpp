@@ -18,8 +18,8 @@ using namespace eliminant::testing;
 namespace {
 
 /// A polynomial that contains every variable and is divisible by none.
-Polynomial random_full(const Ring& ring, std::mt19937_64& random, std::size_t terms, std::uint64_t max_exponent,
-                       std::uint64_t height) {
+Polynomial random_full(const Ring& ring, std::mt19937_64& random, std::size_t terms,
+                       std::uint64_t max_exponent, std::uint64_t height) {
     Polynomial f = random_nonzero(ring, random, terms, max_exponent, height);
     for (std::size_t v = 0; v < ring.variable_count(); ++v)
         f += pow(Polynomial::variable(ring, v), max_exponent + 1 + v % 2);
@@ -28,25 +28,26 @@ Polynomial random_full(const Ring& ring, std::mt19937_64& random, std::size_t te
 
 TEST(GcdMethods, AgreeWithTheConstruction) {
     std::mt19937_64 random(41);
+    algebra::Random choices(41);
     base::Run run;
-    for (const std::vector<std::string>& names :
-         std::vector<std::vector<std::string>>{{"x"}, {"x", "y"}, {"x", "y", "z"}, {"x", "y", "z", "t", "u"}}) {
+    for (const std::vector<std::string>& names : std::vector<std::vector<std::string>>{
+             {"x"}, {"x", "y"}, {"x", "y", "z"}, {"x", "y", "z", "t", "u"}}) {
         for (const Ring& ring : sample_fields(names)) {
             for (int round = 0; round < 4; ++round) {
                 const std::uint64_t height = round % 2 == 0 ? 5 : 1U << 30U;
                 const Polynomial h = random_full(ring, random, 4, 2, height);
                 const Polynomial f = (h * random_full(ring, random, 4, 2, height)).primitive_part();
                 const Polynomial g = (h * random_full(ring, random, 4, 2, height)).primitive_part();
-                const auto bounds = gcd_degree_bounds(f, g, random, run);
+                const auto bounds = gcd_degree_bounds(f, g, choices, run);
                 const Polynomial expected = gcd(f, g);
                 EXPECT_TRUE(try_divide(expected, h)) << ring.to_string();
                 for (std::size_t v = 0; v < names.size(); ++v)
                     EXPECT_GE(static_cast<std::int64_t>(bounds[v]), expected.degree(v)) << ring.to_string();
-                const auto by_dense = gcd_by_images(f, g, bounds, random, run, Interpolation::dense);
+                const auto by_dense = gcd_by_images(f, g, bounds, choices, run, Interpolation::dense);
                 ASSERT_TRUE(by_dense) << ring.to_string();
                 EXPECT_EQ(*by_dense, expected) << ring.to_string();
                 if (names.size() == 1) continue; // nothing to interpolate
-                const auto by_sparse = gcd_by_images(f, g, bounds, random, run, Interpolation::sparse);
+                const auto by_sparse = gcd_by_images(f, g, bounds, choices, run, Interpolation::sparse);
                 ASSERT_TRUE(by_sparse) << ring.to_string();
                 EXPECT_EQ(*by_sparse, expected) << ring.to_string();
             }
@@ -67,11 +68,11 @@ TEST(GcdMethods, AgreeWithRemainderSequences) {
     }
 }
 
-/// Leading coefficients that are not constant, in every variable, and whose gcd is a proper multiple of that of h:
-/// what interpolation of monic images has to undo.
+/// Leading coefficients that are not constant, in every variable, and whose gcd is a proper multiple of that
+/// of h: what interpolation of monic images has to undo.
 TEST(GcdMethods, CopeWithLeadingCoefficientsThatMeet) {
     base::Run run;
-    std::mt19937_64 random(43);
+    algebra::Random choices(43);
     for (const Ring& ring : sample_fields()) {
         const Polynomial x = Polynomial::variable(ring, 0);
         const Polynomial y = Polynomial::variable(ring, 1);
@@ -80,10 +81,10 @@ TEST(GcdMethods, CopeWithLeadingCoefficientsThatMeet) {
         const Polynomial h = (y * z + one) * x * x + (y + z) * x + y * y * z + z + one;
         const Polynomial f = (h * ((y + z) * x * x + y * x + z * z + one)).primitive_part();
         const Polynomial g = (h * ((y + z) * (y + one) * x * x + z * x + y + one)).primitive_part();
-        const auto bounds = gcd_degree_bounds(f, g, random, run);
+        const auto bounds = gcd_degree_bounds(f, g, choices, run);
         EXPECT_EQ(gcd(f, g), h.primitive_part()) << ring.to_string();
-        EXPECT_EQ(gcd_by_images(f, g, bounds, random, run, Interpolation::dense), h.primitive_part());
-        EXPECT_EQ(gcd_by_images(f, g, bounds, random, run, Interpolation::sparse), h.primitive_part());
+        EXPECT_EQ(gcd_by_images(f, g, bounds, choices, run, Interpolation::dense), h.primitive_part());
+        EXPECT_EQ(gcd_by_images(f, g, bounds, choices, run, Interpolation::sparse), h.primitive_part());
     }
 }
 
@@ -118,6 +119,7 @@ TEST(GcdMethods, FindHighPowersAndSparseShapes) {
 
 TEST(GcdMethods, StopWhenTheirRunDoes) {
     std::mt19937_64 random(45);
+    algebra::Random choices(45);
     const Ring ring(CoefficientField::rationals(), {"x", "y", "z", "t", "u"});
     const Polynomial f = random_full(ring, random, 12, 9, 1U << 30U);
     const Polynomial g = random_full(ring, random, 12, 9, 1U << 30U);
@@ -134,7 +136,7 @@ TEST(GcdMethods, StopWhenTheirRunDoes) {
     { // Dense images of these, too.
         base::Run run(base::RunOptions{.time_limit_seconds = 0.05});
         const std::vector<std::uint64_t> bounds(5, 9);
-        EXPECT_THROW(gcd_by_images(f * f, f * g, bounds, random, run, Interpolation::dense), Stopped);
+        EXPECT_THROW(gcd_by_images(f * f, f * g, bounds, choices, run, Interpolation::dense), Stopped);
     }
     { // Coefficients of a million bits: primes by the ten thousand.
         base::Run run(base::RunOptions{.time_limit_seconds = 0.05});
