@@ -1,6 +1,6 @@
 #include "reducer.hpp"
 
-#include "monomial_table.hpp"
+#include "row_store.hpp"
 #include "row_sums.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class TableReducer final : public Reducer<Domain> {
 
     TableReducer(const Domain& domain, const Basis<Element>& basis, const Grading& grading, base::Run& run)
         : domain_(domain), basis_(basis), layout_(basis.layout()), grading_(grading), run_(run),
-          table_(layout_.words()), sums_(domain), multiplier_(layout_.words()), scratch_(layout_.words()) {}
+          store_(basis), sums_(domain), multiplier_(layout_.words()) {}
 
     Reduction<Element> s_polynomial(std::size_t i, std::size_t j, const Word* lcm) override {
         begin();
@@ -32,23 +32,23 @@ class TableReducer final : public Reducer<Domain> {
         const BasisElement<Element>& g = basis_[j];
         const auto [cf, cg] = cofactors(f.terms.coefficients.front(), g.terms.coefficients.front());
         layout_.divide(lcm, basis_.lead(i), multiplier_.data());
-        add_row(f, cf, 1);
+        add_multiple(f, cf, 1);
         layout_.divide(lcm, basis_.lead(j), multiplier_.data());
-        add_row(g, cg, 1);
+        add_multiple(g, cg, 1);
         return reduce(TermList<Element>(layout_));
     }
 
     Reduction<Element> polynomial(const BasisElement<Element>& f) override {
         begin();
         std::ranges::fill(multiplier_, Word{0});
-        add_row(f, Domain::one(), 0);
+        add_multiple(f, Domain::one(), 0);
         return reduce(TermList<Element>(layout_));
     }
 
     Reduction<Element> tail(std::size_t i) override {
         begin();
         std::ranges::fill(multiplier_, Word{0});
-        add_row(basis_[i], Domain::one(), 1);
+        add_multiple(basis_[i], Domain::one(), 1);
         TermList<Element> lead(layout_);
         lead.monomials.assign(basis_.lead(i), basis_.lead(i) + words());
         sums_.emit(basis_[i].terms.coefficients.front());
@@ -56,28 +56,35 @@ class TableReducer final : public Reducer<Domain> {
     }
 
   private:
-    using Index = typename MonomialTable<Words>::Index;
-    using Cell = typename RowSums<Domain>::Cell;
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
-    /// Above this many monomials (some hundred megabytes) the table is emptied between two reductions.
-    static constexpr std::size_t table_limit = std::size_t{1} << 22;
+    using Store = RowStore<Element, Words>;
+    using Index = typename Store::Index;
 
-    /// Above this many indices in stored rows (half a gigabyte) likewise.
-    static constexpr std::size_t row_limit = std::size_t{1} << 27;
-
-    /// The part of a monomial's record that every term of every row touches.
+    /// What has accumulated at a monomial.
     struct Entry {
-        Cell cell;
+        typename RowSums<Domain>::Cell cell;
         std::uint32_t pending_in = 0; ///< the reduction in whose heap it is or was
     };
-    /// The part that is read when the monomial is the greatest one.
-    struct Knowledge {
-        std::uint32_t reducer = none; ///< best element among those checked whose leading monomial divides it
-        std::uint32_t checked = 0;    ///< number of elements that were checked
-        std::uint64_t mask = 0;
-        std::uint32_t row_stamp = 0; ///< of the element whose multiple is stored as a row
-        std::uint64_t row_begin = 0; ///< where in row_indices_
+    /// A pending monomial with its first word, flipped so that it compares as unsigned: most comparisons in
+    /// the heap end there, without a look at the table.
+    struct Pending {
+        Word key;
+        Index index;
     };
+
+    std::size_t words() const { return store_.words(); }
+
+    auto by_monomial() const {
+        return [this](const Pending& a, const Pending& b) {
+            if (a.key != b.key) return a.key < b.key;
+            const Word* ma = store_.monomial(a.index);
+            const Word* mb = store_.monomial(b.index);
+            const Word* flip = layout_.flip();
+            for (std::size_t w = 1; w < words(); ++w) {
+                if (ma[w] != mb[w]) return (ma[w] ^ flip[w]) < (mb[w] ^ flip[w]);
+            }
+            return false;
+        };
+    }
 
     /// Factors for two rows whose leading coefficients are a and b, so that these cancel.
     std::pair<Element, Element> cofactors(const Element& a, const Element& b) const {
@@ -92,125 +99,40 @@ class TableReducer final : public Reducer<Domain> {
         }
     }
 
-    std::size_t words() const { return Words != 0 ? Words : layout_.words(); }
-
-    /// A pending monomial with its first word, flipped so that it compares as unsigned: most comparisons in
-    /// the heap end there, without a look at the table.
-    struct Pending {
-        Word key;
-        Index index;
-    };
-    bool less(const Pending& a, const Pending& b) const {
-        if (a.key != b.key) return a.key < b.key;
-        const Word* ma = table_.monomial(a.index);
-        const Word* mb = table_.monomial(b.index);
-        const Word* flip = layout_.flip();
-        for (std::size_t w = 1; w < words(); ++w) {
-            if (ma[w] != mb[w]) return (ma[w] ^ flip[w]) < (mb[w] ^ flip[w]);
-        }
-        return false;
-    }
-    auto by_monomial() const {
-        return [this](const Pending& a, const Pending& b) { return less(a, b); };
-    }
-
     void begin() {
         // Cells are empty after a reduction, unless it ended by an exception.
         for (const Pending& pending : heap_) static_cast<void>(sums_.collect(entries_[pending.index].cell));
         heap_.clear();
-        if (table_.size() > table_limit || row_indices_.size() > row_limit || ++generation_ == 0) {
-            table_.clear();
+        if (store_.is_large() || ++generation_ == 0) {
+            store_.clear();
             entries_.clear();
-            knowledge_.clear();
-            row_indices_.clear();
             generation_ = 1;
         }
         sums_.begin();
         sugar_ = 0;
     }
 
-    void touch(Index index) {
-        Entry& entry = entries_[index];
-        if (entry.pending_in == generation_) return;
-        entry.pending_in = generation_;
-        heap_.push_back({*table_.monomial(index) ^ *layout_.flip(), index});
-        std::ranges::push_heap(heap_, by_monomial());
-    }
-
-    /// Adds q·multiplier_·f from its term `first` on; calls record(index) for each monomial.
-    template <class Record>
-    void add_row(const BasisElement<Element>& f, Element q, std::size_t first, Record&& record) {
-        if (!layout_.multiply(multiplier_.data(), f.field_maxima.data(), scratch_.data()))
-            throw LayoutTooNarrow{};
+    /// Adds q times the row, without its first `first` terms.
+    void add_row(std::span<const Index> row, const BasisElement<Element>& f, Element q, std::size_t first) {
         run_.poll();
         sums_.add_row(f, std::move(q));
-        const std::uint64_t multiplier_hash = table_.hash(multiplier_.data());
-        const TermList<Element>& terms = f.terms;
-        for (std::size_t t = first; t < terms.size(); ++t) {
-            const Word* m = terms.monomials.data() + t * words();
-            const Index index = table_.product(multiplier_.data(), m, multiplier_hash + table_.hash(m));
-            if (index == entries_.size()) {
-                entries_.emplace_back();
-                knowledge_.emplace_back();
+        for (std::size_t t = first; t < row.size(); ++t) {
+            const Index index = row[t];
+            Entry& entry = entries_[index];
+            if (entry.pending_in != generation_) {
+                entry.pending_in = generation_;
+                heap_.push_back({*store_.monomial(index) ^ *layout_.flip(), index});
+                std::ranges::push_heap(heap_, by_monomial());
             }
-            record(index);
-            touch(index);
-            sums_.add_term(entries_[index].cell, t);
+            sums_.add_term(entry.cell, t);
         }
     }
-    void add_row(const BasisElement<Element>& f, Element q, std::size_t first) {
-        add_row(f, std::move(q), first, [](Index) {});
-    }
-
-    /// Adds the multiple of element k that cancels `value` at the monomial `top`.
-    ///
-    /// The same monomials are met again and again, and the indices of their rows stay what they are: stored
-    /// at the first use, they save the products and look-ups of all later ones (katsura-8 over GF(p): a
-    /// factor of three).
-    void cancel(Index top, const Element& value, std::uint32_t k) {
-        const BasisElement<Element>& g = basis_[k];
-        Element q = sums_.eliminate(value, g);
-        Knowledge& known = knowledge_[top];
-        if (known.row_stamp != g.stamp) {
-            const std::size_t begin = row_indices_.size();
-            add_row(g, std::move(q), 1, [this](Index index) { row_indices_.push_back(index); });
-            knowledge_[top].row_stamp = g.stamp;
-            knowledge_[top].row_begin = begin;
-            return;
-        }
-        run_.poll();
-        sums_.add_row(g, std::move(q));
-        const Index* indices = row_indices_.data() + known.row_begin;
-        for (std::size_t t = 1; t < g.terms.size(); ++t) {
-            const Index index = *indices++;
-            touch(index);
-            sums_.add_term(entries_[index].cell, t);
-        }
-    }
-
-    /// A reducer that does not raise the sugar comes first: on cyclic-6 over ℚ that alone is a factor of
-    /// five, as the elements that are in the end redundant have the long coefficients.
-    static bool preferred(const BasisElement<Element>& f, const BasisElement<Element>& g) {
-        return f.excess != g.excess ? f.excess < g.excess : f.cost < g.cost;
-    }
-
-    /// The element to reduce the monomial by, or none. Elements checked before are not looked at again.
-    std::uint32_t reducer_of(Index index) {
-        Knowledge& entry = knowledge_[index];
-        const std::size_t count = basis_.size();
-        if (entry.checked == count) return entry.reducer;
-        const Word* m = table_.monomial(index);
-        if (entry.checked == 0) entry.mask = layout_.divisibility_mask(m);
-        const std::uint64_t absent = ~entry.mask;
-        const std::uint64_t* masks = basis_.masks().data();
-        for (std::size_t k = entry.checked; k < count; ++k) {
-            if ((masks[k] & absent) != 0 || !layout_.divides(basis_.lead(k), m) || basis_[k].redundant)
-                continue;
-            if (entry.reducer == none || preferred(basis_[k], basis_[entry.reducer]))
-                entry.reducer = static_cast<std::uint32_t>(k);
-        }
-        entry.checked = static_cast<std::uint32_t>(count);
-        return entry.reducer;
+    /// Adds q·multiplier_·f, without its first `first` terms.
+    void add_multiple(const BasisElement<Element>& f, Element q, std::size_t first) {
+        indices_.clear();
+        store_.product(multiplier_.data(), f, indices_);
+        entries_.resize(store_.size());
+        add_row(indices_, f, std::move(q), first);
     }
 
     Index take_greatest() {
@@ -245,18 +167,20 @@ class TableReducer final : public Reducer<Domain> {
             const Index top = take_greatest();
             Element value = sums_.collect(entries_[top].cell);
             if (Domain::is_zero(value)) continue;
-            const std::uint32_t k = reducer_of(top);
-            const Word* m = table_.monomial(top);
-            if (k == none) {
+            const std::uint32_t k = store_.reducer_of(top);
+            if (k == Store::none) {
+                const Word* m = store_.monomial(top);
                 result.terms.monomials.insert(result.terms.monomials.end(), m, m + words());
                 sums_.emit(std::move(value));
                 continue;
             }
             const BasisElement<Element>& g = basis_[k];
-            layout_.divide(m, basis_.lead(k), multiplier_.data());
-            if (result.terms.monomials.empty())
-                sugar_ = std::max(sugar_, grading_.degree(layout_, multiplier_.data()) + g.sugar);
-            cancel(top, value, k);
+            const std::span<const Index> row = store_.row(top, k);
+            entries_.resize(store_.size());
+            if (result.terms.monomials
+                    .empty()) // sugar of (top/lm g)·g is the degree of top plus the excess of g
+                sugar_ = std::max(sugar_, grading_.degree(layout_, store_.monomial(top)) + g.excess);
+            add_row(row, g, sums_.eliminate(value, g), 1);
             ++result.steps;
             if (sums_.wants_collapse()) collapse();
         }
@@ -270,16 +194,14 @@ class TableReducer final : public Reducer<Domain> {
     const MonomialLayout& layout_;
     const Grading& grading_;
     base::Run& run_;
-    MonomialTable<Words> table_;
-    std::vector<Entry> entries_;       ///< parallel to the table
-    std::vector<Knowledge> knowledge_; ///< parallel to the table
-    std::vector<Index> row_indices_;   ///< of all stored rows
+    Store store_;
+    std::vector<Entry> entries_; ///< parallel to the store
     std::vector<Pending> heap_;
     std::uint32_t generation_ = 0;
     RowSums<Domain> sums_;
     std::vector<Word> multiplier_;
-    std::vector<Word> scratch_;
-    std::uint64_t sugar_ = 0; ///< of the rows added above the leading term of the result
+    std::vector<Index> indices_; ///< scratch for rows that are not stored
+    std::uint64_t sugar_ = 0;    ///< of the rows added above the leading term of the result
 };
 
 template <class Domain>
