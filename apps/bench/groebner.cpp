@@ -1,9 +1,11 @@
 // Buchberger's algorithm against Singular's std, one thread, one JSON object a line:
 //
-//     bench_groebner [--repeat N] [--no-peer] [NAME …]      systems of data/groebner whose name contains a NAME
+//     bench_groebner [--repeat N] [--no-peer] [NAME …]      systems of data/groebner whose name contains a
+//     NAME
 //
-// Each system is done over ℚ and over GF(1073741827) in degrevlex. Times are medians of the computation alone, on both
-// sides without reading the input; peaks of memory are those of whole processes, a process a measurement.
+// Each system is done over ℚ and over GF(1073741827) in degrevlex. Times are medians of the computation
+// alone, on both sides without reading the input; peaks of memory are those of whole processes, a process a
+// measurement.
 #include "eliminant/algebra/system.hpp"
 #include "eliminant/groebner/buchberger.hpp"
 
@@ -71,7 +73,8 @@ Measurement measure_ours(const std::string& text, const std::string& name, std::
         eliminant::Run run;
         eliminant::SystemOverrides overrides;
         if (p != 0) overrides.field = eliminant::CoefficientField::prime(p);
-        const auto system = eliminant::parse_system({text, name}, eliminant::SystemFormat::msolve, overrides, run);
+        const auto system =
+            eliminant::parse_system({text, name}, eliminant::SystemFormat::msolve, overrides, run);
         for (int i = 0; i < repeat; ++i) {
             const auto start = std::chrono::steady_clock::now();
             const auto basis = eliminant::buchberger(system.ring, system.polynomials, {}, run);
@@ -91,10 +94,11 @@ Measurement measure_singular(const std::string& text, std::uint64_t p, int repea
     std::ostringstream rest;
     rest << lines.rdbuf();
     std::ostringstream script;
-    script << "system(\"--ticks-per-sec\",1000000);ring r=" << p << ",(" << variables << "),dp;ideal I=" << rest.str()
-           << ";option(redSB);int t;int k;ideal G;for(k=0;k<" << repeat
+    script << "system(\"--ticks-per-sec\",1000000);ring r=" << p << ",(" << variables
+           << "),dp;ideal I=" << rest.str() << ";option(redSB);int t;int k;ideal G;for(k=0;k<" << repeat
            << ";k++){t=rtimer;G=std(I);print(rtimer-t);}quit;\n";
-    const std::string path = std::filesystem::temp_directory_path() / ("singular-" + std::to_string(getpid()) + ".sing");
+    const std::string path =
+        std::filesystem::temp_directory_path() / ("singular-" + std::to_string(getpid()) + ".sing");
     std::ofstream(path) << script.str();
     Measurement result = measure([&](FILE* out) {
         dup2(fileno(out), STDOUT_FILENO);
@@ -113,9 +117,12 @@ int main(int argc, char** argv) {
     bool peer = true;
     std::vector<std::string> wanted;
     for (int i = 1; i < argc; ++i) {
-        if (std::strcmp(argv[i], "--repeat") == 0 && i + 1 < argc) repeat = std::max(1, std::atoi(argv[++i]));
-        else if (std::strcmp(argv[i], "--no-peer") == 0) peer = false;
-        else wanted.emplace_back(argv[i]);
+        if (std::strcmp(argv[i], "--repeat") == 0 && i + 1 < argc)
+            repeat = std::max(1, std::atoi(argv[++i]));
+        else if (std::strcmp(argv[i], "--no-peer") == 0)
+            peer = false;
+        else
+            wanted.emplace_back(argv[i]);
     }
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(ELIMINANT_DATA_DIR "/groebner")) {
@@ -133,10 +140,11 @@ int main(int argc, char** argv) {
             const Measurement ours = measure_ours(text, file.filename(), p, repeat);
             const Measurement theirs = peer ? measure_singular(text, p, repeat) : Measurement{};
             std::printf("{\"system\":\"%s\",\"field\":\"%s\",\"seconds\":%.4f,\"mebibytes\":%.1f",
-                        file.stem().stem().c_str(), p == 0 ? "QQ" : "GF(1073741827)", ours.seconds, ours.mebibytes);
+                        file.stem().stem().c_str(), p == 0 ? "QQ" : "GF(1073741827)", ours.seconds,
+                        ours.mebibytes);
             if (theirs.seconds >= 0)
-                std::printf(",\"singular_seconds\":%.4f,\"singular_mebibytes\":%.1f,\"ratio\":%.2f", theirs.seconds,
-                            theirs.mebibytes, ours.seconds / theirs.seconds);
+                std::printf(",\"singular_seconds\":%.4f,\"singular_mebibytes\":%.1f,\"ratio\":%.2f",
+                            theirs.seconds, theirs.mebibytes, ours.seconds / theirs.seconds);
             std::printf("}\n");
             std::fflush(stdout);
             if (theirs.seconds > 0.05) {
@@ -146,6 +154,6 @@ int main(int argc, char** argv) {
         }
     }
     if (counted != 0)
-        std::printf("{\"geometric_mean_where_peer_over_50ms\":%.3f,\"systems\":%d}\n", std::exp(logarithms / counted),
-                    counted);
+        std::printf("{\"geometric_mean_where_peer_over_50ms\":%.3f,\"systems\":%d}\n",
+                    std::exp(logarithms / counted), counted);
 }

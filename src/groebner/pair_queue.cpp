@@ -25,6 +25,15 @@ void PairQueue::add_generator(const MonomialLayout& layout, std::uint32_t number
     pairs_.insert(place, std::move(entry));
 }
 
+std::vector<CriticalPair> PairQueue::best_batch() const {
+    const auto alike = [this](const CriticalPair& pair) {
+        return selection_ == Selection::sugar ? pair.sugar == best().sugar : pair.degree == best().degree;
+    };
+    auto begin = pairs_.end();
+    while (begin != pairs_.begin() && alike(*std::prev(begin))) --begin;
+    return {begin, pairs_.end()};
+}
+
 template <class Element>
 std::vector<PairQueue::NewPair> PairQueue::pairs_with(const Basis<Element>& basis,
                                                       std::uint32_t added) const {

@@ -29,7 +29,10 @@ class PairQueue {
     bool empty() const { return pairs_.empty(); }
     std::size_t size() const { return pairs_.size(); }
     const CriticalPair& best() const { return pairs_.back(); }
-    void remove_best() { pairs_.pop_back(); }
+    void remove_best(std::size_t count = 1) { pairs_.resize(pairs_.size() - count); }
+    /// The best pair and all others of the same sugar (selection sugar) or degree (selection normal), best
+    /// last.
+    std::vector<CriticalPair> best_batch() const;
 
     void add_generator(const MonomialLayout& layout, std::uint32_t number, const Word* lead);
 

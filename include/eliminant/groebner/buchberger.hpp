@@ -30,6 +30,10 @@ struct Statistics {
     std::uint64_t zero_modulo_prime = 0;   ///< pairs passed over in the first pass over ℚ
     std::uint64_t basis_elements_made = 0; ///< elements that entered the basis, redundant ones included
 
+    std::uint64_t matrices = 0;            ///< F4: batches of pairs
+    std::uint64_t largest_matrix_rows = 0; ///< F4: of the matrix with the largest area
+    std::uint64_t largest_matrix_columns = 0;
+
     Statistics& operator+=(const Statistics& other);
 };
 

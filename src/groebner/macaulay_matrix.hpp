@@ -1,0 +1,74 @@
+#pragma once
+
+#include "eliminant/algebra/prime_field.hpp"
+#include "eliminant/base/run.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace eliminant::groebner {
+
+/// A sparse matrix over GF(p) whose columns are monomials in decreasing order, in the shape that F4 meets:
+///
+///              pivot columns   others
+///     pivots  [ 1 * * * *    |  * * ]     known: monic multiples of basis elements, one a pivot column, as
+///     they come
+///             [   1 * * *    |  * * ]
+///     rows    [ * * * * *    |  * * ]     to be reduced by the pivots, then by one another
+///
+/// Coefficients belong to the caller and are shared by all multiples of an element; columns are ascending.
+class MacaulayMatrix {
+  public:
+    using Element = std::uint32_t;
+    using Column = std::uint32_t;
+
+    MacaulayMatrix(const algebra::PrimeField& field, std::size_t columns);
+
+    /// Room for the columns of a row with the coefficients given (one or more), to be filled in before
+    /// echelon(). A pivot is monic, and no two have the same leading column. The room is valid until the next
+    /// row is added.
+    std::span<Column> add_pivot(std::span<const Element> coefficients);
+    std::span<Column> add_row(std::span<const Element> coefficients);
+
+    std::size_t row_count() const { return pivots_.size() + rows_.size(); }
+    std::size_t column_count() const { return columns_; }
+
+    struct Row {
+        std::vector<Column> columns;
+        std::vector<Element> coefficients;
+    };
+    /// A basis of what the rows add to the span of the pivots: monic, ascending by leading column, no entry
+    /// in a pivot column, neither of the given pivots nor of each other. Each row is scattered into a dense
+    /// vector once; O(Σ length of the pivots used). Polls the run once a row.
+    std::vector<Row> echelon(base::Run& run);
+
+  private:
+    struct Reference { ///< to columns in pool_
+        std::size_t begin;
+        std::span<const Element> coefficients;
+    };
+    std::span<Column> add(std::vector<Reference>& rows, std::span<const Element> coefficients);
+    void scatter(std::span<const Column> columns, std::span<const Element> coefficients);
+    /// Eliminates from dense_ what has a pivot, from column `first` on, and takes out the rest, which is
+    /// monic.
+    Row reduce(std::size_t first);
+
+    struct Pivot {
+        const Column* columns = nullptr; ///< null where there is none
+        const Element* coefficients = nullptr;
+        std::size_t size = 0;
+    };
+
+    algebra::PrimeField field_;
+    std::uint64_t square_; ///< p²
+    std::size_t columns_;
+    std::vector<Column> pool_;
+    std::vector<Reference> pivots_;
+    std::vector<Reference> rows_;
+    std::vector<Pivot> by_column_;
+    std::vector<std::uint64_t> dense_; ///< entries below p²
+};
+
+} // namespace eliminant::groebner
