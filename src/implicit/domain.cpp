@@ -4,6 +4,7 @@
 #include "eliminant/algebra/gcd.hpp"
 #include "eliminant/algebra/grading.hpp"
 #include "eliminant/ideal/operations.hpp"
+#include "eliminant/ideal/radical.hpp"
 
 #include <string>
 #include <utility>
@@ -80,6 +81,7 @@ std::optional<std::vector<Polynomial>> homogenized_domain(const Parametrization&
     }
     domain = without_conditions_on_constants(parametrization, std::move(domain), run);
     if (domain.is_unit(run)) return std::nullopt;
+    domain = radical(domain, run);
 
     const std::size_t n = ring.variable_count();
     const Ring extended = with_h(ring);

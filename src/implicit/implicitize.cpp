@@ -1,6 +1,5 @@
 #include "eliminant/implicit/implicitize.hpp"
 
-#include "eliminant/algebra/gcd.hpp"
 #include "implicit/closure.hpp"
 #include "implicit/domain.hpp"
 #include "implicit/kernel.hpp"
@@ -43,8 +42,7 @@ bool is_graph(const Parametrization& parametrization, const ProjectiveMap& map) 
 class Implicitization {
   public:
     Implicitization(const Parametrization& parametrization, const ImplicitizeOptions& options, base::Run& run)
-        : parametrization_(parametrization), options_(options), run_(run),
-          map_(over_common_denominator(parametrization, run)),
+        : parametrization_(parametrization), run_(run), map_(over_common_denominator(parametrization, run)),
           hypersurface_ring_(closure_ring(parametrization, MonomialOrder::degrevlex())),
           several_ring_(closure_ring(parametrization, options.order)),
           result_{hypersurface_ring_,         {},           0, Method::groebner, Assurance::proved, {},
@@ -93,8 +91,9 @@ class Implicitization {
         }
         const GradedMap graded = graded_map(parametrization_, map_, *domain);
         accept(graded, kernel_over_rationals(graded, run_));
-        result_.proof =
-            "the equations are the radical of the kernel of a graded map, by a Groebner basis over QQ";
+        result_.proof = "the equations are the kernel of a graded map into a ring without nilpotent "
+                        "elements, by a Groebner "
+                        "basis over QQ";
     }
 
     void accept(const GradedMap& graded, const Kernel& kernel) {
@@ -108,16 +107,10 @@ class Implicitization {
         std::vector<Polynomial> equations =
             dehomogenized(map_, graded, kernel.generators, result_.ring, run_);
         if (several) equations = reduced_closure_basis(parametrization_, result_.ring, equations, run_);
-        if (!parametrization_.relations().empty()) equations = radical_of(std::move(equations));
         if (several && equations.size() == 1) move_to_hypersurface_ring(equations);
         result_.codimension = closure_codimension(parametrization_, equations, run_);
         result_.equations = std::move(equations);
         if (!is_graph(parametrization_, map_)) warn(closure_warning);
-    }
-
-    std::vector<Polynomial> radical_of(std::vector<Polynomial> equations) {
-        if (equations.size() == 1) return {squarefree_part(equations.front(), run_)};
-        return equations;
     }
 
     /// A single equation is printed by degrevlex, whatever order was asked for several.
@@ -129,7 +122,6 @@ class Implicitization {
     void warn(const char* sentence) { result_.warnings.emplace_back(sentence); }
 
     const Parametrization& parametrization_;
-    const ImplicitizeOptions& options_;
     base::Run& run_;
     ProjectiveMap map_;
     algebra::Ring hypersurface_ring_;

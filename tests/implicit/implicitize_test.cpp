@@ -135,6 +135,15 @@ TEST(Implicitize, RespectsRelations) {
     });
 }
 
+TEST(Implicitize, ReturnsTheRadicalOfAReducibleImage) {
+    check({
+        {"x = s\ny = t\nz = u\nrelation s^2 = 0\nrelation t^2 = 0", "y\nx", 2},
+        {"x = s\ny = t\nz = u\nrelation s^2 = 0\nrelation s*t = 0", "x", 1},
+        {"x = s\ny = t\nrelation (s^2+t^2-1)^2*s = 0\nrelation t*(s^2+t^2-1)^3 = 0",
+         "x^2*y+y^3-y\nx^3+x*y^2-x", 1},
+    });
+}
+
 TEST(Implicitize, SaysThatNothingIsLeftOfAnEmptyDomain) {
     for (const char* text :
          {"x = s\nrelation 1 = 0", "x = 1/s\nrelation s = 0", "constants r\nx = s\nrelation r = 0",
