@@ -37,8 +37,8 @@ class DenseMethod final : public ImageMethod {
     std::optional<ModularImage> image(const GaloisField& field) override { return image_over(field); }
     void reset() override {}
 
-    std::pair<bool, bool> compare(const ModularImage& earlier, const ModularImage& image) const override {
-        return {image.places.back() < earlier.places.back(), image.places.back() > earlier.places.back()};
+    std::strong_ordering compare(const ModularImage& a, const ModularImage& b) const override {
+        return a.places.back() <=> b.places.back();
     }
     std::span<const std::size_t> variables() const override { return problem_.variables; }
     void exponents_of(std::size_t place, std::span<std::uint64_t> row) const override {
@@ -127,8 +127,9 @@ class SparseMethod final : public ImageMethod {
     std::optional<ModularImage> image(const GaloisField& field) override { return image_over(field); }
     void reset() override { support_.reset(); }
 
-    std::pair<bool, bool> compare(const ModularImage&, const ModularImage&) const override {
-        return {false, false};
+    /// Images with another degree fail.
+    std::strong_ordering compare(const ModularImage& /*a*/, const ModularImage& /*b*/) const override {
+        return std::strong_ordering::equal;
     }
     std::span<const std::size_t> variables() const override { return problem_.variables; }
     void exponents_of(std::size_t place, std::span<std::uint64_t> row) const override {

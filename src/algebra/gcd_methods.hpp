@@ -6,6 +6,7 @@
 #include "eliminant/algebra/polynomial.hpp"
 #include "eliminant/base/run.hpp"
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -37,8 +38,9 @@ class ImageMethod {
     virtual std::optional<ModularImage> image(const GaloisField& field) = 0;
     /// After too many failures: forget what was learnt from earlier images.
     virtual void reset() = 0;
-    /// Whether an image shows that earlier ones (the first), or it (the second), belong to a proper multiple.
-    virtual std::pair<bool, bool> compare(const ModularImage& earlier, const ModularImage& image) const = 0;
+    /// Less or greater if the degrees of a are less or greater than those of b. Images of the gcd have the
+    /// least degrees, unlucky ones are of proper multiples.
+    virtual std::strong_ordering compare(const ModularImage& a, const ModularImage& b) const = 0;
     virtual std::span<const std::size_t> variables() const = 0;
     virtual void exponents_of(std::size_t place, std::span<std::uint64_t> row) const = 0;
     /// The normalised gcd from H.

@@ -9,7 +9,6 @@
 #include "eliminant/algebra/gcd.hpp"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 namespace eliminant::algebra {
@@ -36,118 +35,153 @@ Polynomial assembled(const Ring& ring, const ImageMethod& method, const std::vec
     return builder.build();
 }
 
-/// The proof. The degrees of a candidate are those of a gcd of images, so at least those of the gcd; if it
-/// divides both arguments, it is the gcd.
-bool divides_both(const Polynomial& h, const Polynomial& f, const Polynomial& g, base::Run& run) {
-    return f.size() <= g.size() ? try_divide(f, h, run) && try_divide(g, h, run)
-                                : try_divide(g, h, run) && try_divide(f, h, run);
+/// What is asked for, as all methods see it.
+struct Question {
+    const Polynomial& f;
+    const Polynomial& g;
+    std::span<const std::uint64_t> bounds; ///< of the degrees of the gcd
+    base::Run& run;
+};
+
+/// The gcd from a guess h, if the guess divides both arguments.
+///
+/// If its degrees reach the proved bounds, or its cofactors are coprime, it is the gcd. If not, images were
+/// too small by an unlikely accident of interpolation, and h·gcd(f/h, g/h) is. In one variable nothing is
+/// interpolated: an image of the gcd divides the image found, which is as good a bound.
+std::optional<Polynomial> proved(const Polynomial& h, const Question& question) {
+    const auto& [f, g, bounds, run] = question;
+    const bool f_first = f.size() <= g.size(); // a wrong guess costs least there
+    const auto cofactor = try_divide(f_first ? f : g, h, run);
+    if (!cofactor) return std::nullopt;
+    const auto other_cofactor = try_divide(f_first ? g : f, h, run);
+    if (!other_cofactor) return std::nullopt;
+    std::size_t occurring = 0;
+    bool reaches_bounds = true;
+    for (std::size_t v = 0; v < bounds.size(); ++v) {
+        reaches_bounds = reaches_bounds && h.degree(v) == static_cast<std::int64_t>(bounds[v]);
+        occurring += f.degree(v) > 0 || g.degree(v) > 0 ? 1 : 0;
+    }
+    if (reaches_bounds || occurring == 1) return h;
+    return multiply(h, gcd(*cofactor, *other_cofactor, run), run).primitive_part();
 }
 
-std::optional<Polynomial> over_rationals(ImageMethod& method, const Polynomial& f, const Polynomial& g,
-                                         base::Run& run) {
+/// More bits than the coefficients of H can have. By Gelfond's inequality factors of a polynomial of degrees
+/// d_v have heights whose product is at most e^(Σ d_v) times its own; H divides γ·f, and γ divides leading
+/// coefficients.
+std::size_t coefficient_bits(const Question& question) {
+    std::size_t bits = 64;
+    for (const Polynomial* h : {&question.f, &question.g}) {
+        std::size_t height = 0;
+        for (const Integer& c : h->integer_terms().coefficients) height = std::max(height, c.bit_length());
+        std::uint64_t degrees = 0;
+        for (std::size_t v = 0; v < h->ring().variable_count(); ++v)
+            degrees += static_cast<std::uint64_t>(h->degree(v));
+        bits += 2 * height + 6 * static_cast<std::size_t>(degrees) + 64;
+    }
+    return bits;
+}
+
+std::optional<Polynomial> over_rationals(ImageMethod& method, const Question& question) {
     ChineseRemainders sum;
     ModularImage last;
     std::uint64_t prime = PrimeField::max_characteristic + 1;
+    const std::size_t enough_bits = coefficient_bits(question);
+    const auto start_again = [&] {
+        method.reset(); // what was learnt from the first image may be the culprit
+        sum = ChineseRemainders();
+        last = {};
+    };
     for (int failures = 0; failures < max_failures;) {
-        run.poll();
+        question.run.poll();
         prime = previous_prime(prime);
         const PrimeField field(prime);
         auto image = method.image(field);
-        if (!image) {
-            ++failures;
-            // The support that was learnt may be the culprit.
-            if (failures % 3 == 0) {
-                method.reset();
-                sum = ChineseRemainders();
-                last = {};
-            }
+        const auto order =
+            image && !last.places.empty() ? method.compare(*image, last) : std::strong_ordering::equal;
+        if (!image || order > 0) { // this prime is unlucky, or what was done before is wrong
+            if (++failures % 3 == 0) start_again();
             continue;
         }
-        if (!last.places.empty()) {
-            const auto [earlier_wrong, this_wrong] = method.compare(last, *image);
-            if (this_wrong) continue;
-            if (earlier_wrong) sum = ChineseRemainders();
-        }
+        if (order < 0) sum = ChineseRemainders(); // all primes before were unlucky
         const bool changed = sum.add(field, image->places, image->residues);
         last = *std::move(image);
-        if (changed && !sum.small()) continue;
-        const Polynomial multiple = assembled(f.ring(), method, sum.places(), sum.values());
-        Polynomial h = method.gcd_from(multiple, run);
-        if (divides_both(h, f, g, run)) return h;
+        const bool enough = sum.modulus().bit_length() > enough_bits;
+        if (changed && !sum.small() && !enough) continue;
+        const Polynomial multiple = assembled(question.f.ring(), method, sum.places(), sum.values());
+        if (auto h = proved(method.gcd_from(multiple, question.run), question)) return h;
+        if (enough) {
+            ++failures;
+            start_again();
+        }
     }
     return std::nullopt;
+}
+
+/// The coefficients of an image as integers, if they are in the prime field.
+std::optional<std::vector<Integer>> prime_field_values(const PrimeField& /*field*/,
+                                                       const ModularImage& image) {
+    return std::vector<Integer>(image.residues.begin(), image.residues.end());
+}
+std::optional<std::vector<Integer>> prime_field_values(const GaloisField& field, const ModularImage& image) {
+    std::vector<Integer> values;
+    for (const std::uint32_t element : image.residues) {
+        const auto residue = field.residue(element);
+        if (!residue) return std::nullopt;
+        values.emplace_back(*residue);
+    }
+    return values;
 }
 
 template <class Field>
-std::optional<Polynomial> over_finite_field(const Field& field, ImageMethod& method, const Polynomial& f,
-                                            const Polynomial& g, base::Run& run) {
+std::optional<Polynomial> over_finite_field(const Field& field, ImageMethod& method,
+                                            const Question& question) {
     for (int failures = 0; failures < max_failures; ++failures) {
-        run.poll();
+        question.run.poll();
         method.reset();
         const auto image = method.image(field);
-        if (!image) continue;
-        std::vector<Integer> values;
-        for (const std::uint32_t residue : image->residues) {
-            // The gcd is the same over any extension, so a monic one has its coefficients in GF(p).
-            if constexpr (std::is_same_v<Field, GaloisField>) {
-                const auto value = field.residue(residue);
-                if (!value) break;
-                values.emplace_back(*value);
-            } else {
-                values.emplace_back(residue);
-            }
-        }
-        if (values.size() != image->residues.size()) continue;
-        Polynomial h = method.gcd_from(assembled(f.ring(), method, image->places, values), run);
-        if (divides_both(h, f, g, run)) return h;
+        // The gcd is the same over an extension, so H has its coefficients in the prime field.
+        const auto values = image ? prime_field_values(field, *image) : std::nullopt;
+        if (!values) continue;
+        const Polynomial multiple = assembled(question.f.ring(), method, image->places, *values);
+        if (auto h = proved(method.gcd_from(multiple, question.run), question)) return h;
     }
     return std::nullopt;
 }
 
-/// Over GF(p) itself, or over the extension that holds the points that p elements lack.
-std::optional<Polynomial> over_prime_field(ImageMethod& method, const Polynomial& f, const Polynomial& g,
-                                           base::Run& run) {
-    const PrimeField& field = f.ring().field().prime_field();
+/// Over GF(p) itself, or over extensions, larger and larger, that hold the points that p elements lack.
+std::optional<Polynomial> over_prime_field(ImageMethod& method, const Question& question) {
+    const PrimeField& field = question.f.ring().field().prime_field();
     std::uint64_t degree_sum = 1;
     for (const std::size_t v : method.variables())
-        degree_sum += static_cast<std::uint64_t>(std::max(f.degree(v), g.degree(v)));
+        degree_sum += static_cast<std::uint64_t>(std::max(question.f.degree(v), question.g.degree(v)));
     // An image is unlucky with a probability of about degree²/size; points must also be distinct.
-    const std::uint64_t wanted =
-        std::min<std::uint64_t>(64 * degree_sum * degree_sum, std::uint64_t{1} << 20);
     const std::uint64_t enough = std::max<std::uint64_t>(4 * degree_sum, 4096);
+    const std::uint64_t comfortable =
+        std::min<std::uint64_t>(64 * degree_sum * degree_sum, std::uint64_t{1} << 18);
     const std::uint32_t p = field.characteristic();
-    if (method.variables().size() > 1 && p < enough) {
-        if (const auto k = GaloisField::degree_for(p, std::max(wanted, enough)))
-            return over_finite_field(GaloisField(p, *k, run), method, f, g, run);
+    if (method.variables().size() == 1 || p >= enough) return over_finite_field(field, method, question);
+    for (std::uint64_t size = std::max(enough, comfortable);; size *= 16) {
+        const auto k = GaloisField::degree_for(p, size);
+        if (!k) return over_finite_field(field, method, question);
+        if (auto h = over_finite_field(GaloisField(p, *k, question.run), method, question)) return h;
     }
-    return over_finite_field(field, method, f, g, run);
 }
 
-std::optional<Polynomial> by_method(ImageMethod& method, const Polynomial& f, const Polynomial& g,
-                                    base::Run& run) {
-    return f.ring().field().is_rationals() ? over_rationals(method, f, g, run)
-                                           : over_prime_field(method, f, g, run);
+std::optional<Polynomial> by_method(ImageMethod& method, const Question& question) {
+    return question.f.ring().field().is_rationals() ? over_rationals(method, question)
+                                                    : over_prime_field(method, question);
 }
 
-std::optional<Polynomial> by_dense(GcdProblem problem, Random& random, base::Run& run) {
-    const Polynomial& f = problem.f;
-    const Polynomial& g = problem.g;
-    return by_method(*dense_method(std::move(problem), random, run), f, g, run);
-}
-
-std::optional<Polynomial> by_sparse(GcdProblem problem, Random& random, base::Run& run) {
-    const Polynomial& f = problem.f;
-    const Polynomial& g = problem.g;
+std::optional<Polynomial> by_sparse(GcdProblem problem, Random& random, const Question& question) {
+    const auto& [f, g, bounds, run] = question;
     const auto main = std::span(problem.variables).first(1);
     const Polynomial content_f = content(f, main, run);
     const Polynomial content_g = content(g, main, run);
-    if (!content_f.is_constant() || !content_g.is_constant()) {
-        const Polynomial common = gcd(content_f, content_g, run);
-        const Polynomial primitive =
-            gcd(divide_exactly(f, content_f, run), divide_exactly(g, content_g, run), run);
-        return multiply(common, primitive, run).primitive_part();
-    }
-    return by_method(*sparse_method(std::move(problem), random, run), f, g, run);
+    if (content_f.is_constant() && content_g.is_constant())
+        return by_method(*sparse_method(std::move(problem), random, run), question);
+    const Polynomial common = gcd(content_f, content_g, run);
+    const Polynomial rest = gcd(divide_exactly(f, content_f, run), divide_exactly(g, content_g, run), run);
+    return multiply(common, rest, run).primitive_part();
 }
 
 } // namespace
@@ -169,13 +203,15 @@ std::optional<Polynomial> gcd_by_images(const Polynomial& f, const Polynomial& g
     const bool can_dense = method != Interpolation::sparse && dense_fits(dense);
     const bool can_sparse = method != Interpolation::dense && sparse.variables.size() > 1 && fits(sparse);
     const bool dense_first = can_dense && (!can_sparse || dense_cost(dense) <= sparse_cost(sparse));
+    const Question question{f, g, bounds, run};
     if (dense_first) {
-        if (auto h = by_dense(dense, random, run)) return h;
+        if (auto h = by_method(*dense_method(dense, random, run), question)) return h;
     }
     if (can_sparse) {
-        if (auto h = by_sparse(std::move(sparse), random, run)) return h;
+        if (auto h = by_sparse(std::move(sparse), random, question)) return h;
     }
-    return can_dense && !dense_first ? by_dense(std::move(dense), random, run) : std::nullopt;
+    if (!can_dense || dense_first) return std::nullopt;
+    return by_method(*dense_method(std::move(dense), random, run), question);
 }
 
 } // namespace eliminant::algebra

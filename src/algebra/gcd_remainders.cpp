@@ -3,6 +3,7 @@
 #include "eliminant/algebra/arithmetic.hpp"
 #include "eliminant/algebra/coefficients.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -34,12 +35,17 @@ Polynomial pseudo_remainder(Polynomial f, const Polynomial& g, std::size_t varia
     return f;
 }
 
-/// A variable in which f or g has a positive degree; nothing if both are constants.
+/// The variable of least positive degree, whose sequence is the shortest; nothing if both are constants.
 std::optional<std::size_t> main_variable(const Polynomial& f, const Polynomial& g) {
+    std::optional<std::size_t> best;
+    std::int64_t least = 0;
     for (std::size_t v = 0; v < f.ring().variable_count(); ++v) {
-        if (f.degree(v) > 0 || g.degree(v) > 0) return v;
+        const std::int64_t degree = std::max(f.degree(v), g.degree(v));
+        if (degree <= 0 || (best && degree >= least)) continue;
+        best = v;
+        least = degree;
     }
-    return std::nullopt;
+    return best;
 }
 
 } // namespace

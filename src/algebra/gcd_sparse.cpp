@@ -136,16 +136,33 @@ SparseImage SparseGcd<Field>::led_by(const SparseImage& gamma) const {
     return result;
 }
 
+/// A random point ω that tells the terms apart, with what follows from it; nothing if the field is too small
+/// for that.
+template <class Field>
+std::optional<SupposedTerms<Field>> SparseGcd<Field>::separated(const ExponentRows& rows, Vector& omega) {
+    // t terms of one group in a field of q elements take about e^(t²/2q) attempts: 64 are enough for t
+    // < 2.8·√q.
+    for (int attempt = 0; attempt < 64; ++attempt) {
+        run_.poll();
+        omega = random_point();
+        std::optional<SupposedTerms<Field>> terms(std::in_place, field_, rows, omega);
+        if (terms->ready()) return terms;
+    }
+    return std::nullopt;
+}
+
 /// Brings in variable k, whose value so far was `known_point`.
 template <class Field>
 bool SparseGcd<Field>::extend(std::size_t k, Element known_point, SparseImage& h, const Layers& f,
                               const Layers& g, const Layers& gamma) {
-    const Vector omega = random_point();
-    const SupposedTerms<Field> terms(field_, h.exponents, omega);
-    if (!terms.ready()) return false;
+    const std::size_t known = gamma[k - 1].image.exponents.count; // terms of the leading coefficient
+    constexpr std::size_t max_entries = std::size_t{1} << 26;     // 256 MB
+    if (degrees_[k] >= max_entries / h.exponents.count) return false;
+    Vector omega;
+    const auto terms = separated(h.exponents, omega);
+    if (!terms) return false;
     const Images images(*this, f[k - 1].image.exponents, g[k - 1].image.exponents,
                         gamma[k - 1].image.exponents, omega);
-    const std::size_t known = gamma[k - 1].image.exponents.count; // terms of the leading coefficient
     NewtonInterpolation<Field> interpolation(field_, h.exponents.count - known, degrees_[k]);
     interpolation.add(known_point, std::span(h.coefficients).subspan(known));
     const std::uint32_t size = field_size(field_);
@@ -158,9 +175,9 @@ bool SparseGcd<Field>::extend(std::size_t k, Element known_point, SparseImage& h
         if (point == known_point) continue;
         const Vector values_gamma = at(gamma[k], point);
         // One image more than needed tests the terms, at the first new point of the variable.
-        const std::size_t count = terms.images_needed() + (interpolation.points() == 1 ? 1 : 0);
+        const std::size_t count = terms->images_needed() + (interpolation.points() == 1 ? 1 : 0);
         const auto values = images(at(f[k], point), at(g[k], point), values_gamma, count);
-        const auto coefficients = values ? terms.solve(*values, values_gamma) : std::nullopt;
+        const auto coefficients = values ? terms->solve(*values, values_gamma) : std::nullopt;
         if (!coefficients) {
             ++unlucky;
             continue;
@@ -184,13 +201,13 @@ bool SparseGcd<Field>::extend(std::size_t k, Element known_point, SparseImage& h
 
 template <class Field>
 std::optional<Vector> SparseGcd<Field>::on_support(const ExponentRows& rows) {
-    const Vector omega = random_point();
-    const SupposedTerms<Field> terms(field_, rows, omega);
-    if (!terms.ready()) return std::nullopt;
+    Vector omega;
+    const auto terms = separated(rows, omega);
+    if (!terms) return std::nullopt;
     const Images images(*this, f_.exponents, g_.exponents, gamma_.exponents, omega);
     const auto values =
-        images(f_.coefficients, g_.coefficients, gamma_.coefficients, terms.images_needed() + 1);
-    return values ? terms.solve(*values, gamma_.coefficients) : std::nullopt;
+        images(f_.coefficients, g_.coefficients, gamma_.coefficients, terms->images_needed() + 1);
+    return values ? terms->solve(*values, gamma_.coefficients) : std::nullopt;
 }
 
 template class SparseGcd<PrimeField>;

@@ -2,6 +2,7 @@
 
 #include "exponent_rows.hpp"
 #include "random.hpp"
+#include "supposed_terms.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -49,6 +50,7 @@ class SparseGcd {
     dense::Vector at(const Layer& layer, dense::Element value) const;
     dense::Vector random_point();
     SparseImage led_by(const SparseImage& gamma) const;
+    std::optional<SupposedTerms<Field>> separated(const ExponentRows& rows, dense::Vector& omega);
     bool extend(std::size_t k, dense::Element known_point, SparseImage& h, const Layers& f, const Layers& g,
                 const Layers& gamma);
 

@@ -138,8 +138,20 @@ Factorization squarefree_decomposition(const Polynomial& f, base::Run& run) {
 Polynomial squarefree_part(const Polynomial& f, base::Run& run) {
     if (f.is_zero()) return f;
     Polynomial product = Polynomial::constant(f.ring(), 1);
-    for (const auto& [multiplicity, base] : decompose(f.primitive_part(), run))
-        product = multiply(product, base, run);
+    if (!derivatives_tell(f)) {
+        for (const auto& [multiplicity, base] : decompose(f.primitive_part(), run))
+            product = multiply(product, base, run);
+        return product.primitive_part();
+    }
+    // As in decompose(), without telling multiplicities apart.
+    Polynomial rest = f.primitive_part();
+    while (const auto variable = lowest_variable(rest)) {
+        const Polynomial free = content(rest, std::span(&*variable, 1), run);
+        const Polynomial primitive = divide_exactly(rest, free, run);
+        const Polynomial repeated = gcd(primitive, derivative(primitive, *variable), run);
+        product = multiply(product, divide_exactly(primitive, repeated, run), run);
+        rest = free;
+    }
     return product.primitive_part();
 }
 

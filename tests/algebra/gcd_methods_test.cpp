@@ -55,6 +55,34 @@ TEST(GcdMethods, AgreeWithTheConstruction) {
     }
 }
 
+/// Bounds that no degree reaches ask for the other proof, by coprime cofactors.
+TEST(GcdMethods, NeedNoTightBounds) {
+    std::mt19937_64 random(46);
+    algebra::Random choices(46);
+    base::Run run;
+    for (const Ring& ring : sample_fields()) {
+        const Polynomial h = random_full(ring, random, 4, 2, 10);
+        const Polynomial f = (h * random_full(ring, random, 4, 2, 10)).primitive_part();
+        const Polynomial g = (h * random_full(ring, random, 4, 2, 10)).primitive_part();
+        std::vector<std::uint64_t> bounds;
+        for (std::size_t v = 0; v < 3; ++v)
+            bounds.push_back(static_cast<std::uint64_t>(std::min(f.degree(v), g.degree(v))));
+        for (const auto method : {Interpolation::dense, Interpolation::sparse})
+            EXPECT_EQ(gcd_by_images(f, g, bounds, choices, run, method), gcd(f, g)) << ring.to_string();
+    }
+}
+
+/// Degrees that rule out dense vectors, in a shape that cannot be deflated.
+TEST(GcdMethods, LeaveHighDegreesToRemainderSequences) {
+    for (const Ring& ring : sample_fields({"x", "y"})) {
+        const Polynomial x = Polynomial::variable(ring, 0);
+        const Polynomial y = Polynomial::variable(ring, 1);
+        const Polynomial one = Polynomial::constant(ring, 1);
+        const Polynomial h = pow(x, 1000000000007) * y + one;
+        EXPECT_EQ(gcd(h * (x + y), h * (x + y * y + one)), h.primitive_part()) << ring.to_string();
+    }
+}
+
 TEST(GcdMethods, AgreeWithRemainderSequences) {
     std::mt19937_64 random(42);
     base::Run run;
