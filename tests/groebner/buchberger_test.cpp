@@ -47,14 +47,14 @@ std::string describe(const Ring& ring, const std::vector<Polynomial>& generators
 }
 
 TEST(Buchberger, AgreesWithThePlainAlgorithmOnRandomIdeals) {
-    test::Random random(11);
+    eliminant::testing::Random random(11);
     base::Run run;
-    for (const Ring& ring : test::sample_rings()) {
+    for (const Ring& ring : eliminant::testing::sample_rings()) {
         for (int round = 0; round < 6; ++round) {
             std::vector<Polynomial> generators;
             for (std::uint64_t i = 0; i < 1 + random() % 3; ++i)
                 generators.push_back(
-                    test::random_polynomial(ring, random, 1 + random() % 4, 1 + random() % 3));
+                    eliminant::testing::random_polynomial(ring, random, 1 + random() % 4, 1 + random() % 3));
             const std::vector<Polynomial> expected = plain_buchberger(generators, run);
             for (const auto selection : {groebner::Selection::sugar, groebner::Selection::normal}) {
                 BuchbergerOptions options;
@@ -72,7 +72,7 @@ TEST(Buchberger, AgreesWithThePlainAlgorithmOnRandomIdeals) {
 TEST(Buchberger, AgreesWithThePlainAlgorithmWhereNumbersAreLong) {
     // Coefficients of 40 digits make every basis element long, so the pass modulo a prime and its proof are
     // used.
-    test::Random random(12);
+    eliminant::testing::Random random(12);
     base::Run run;
     const Ring ring(CoefficientField::rationals(), {"x", "y", "z"});
     std::uint64_t passed_over = 0;
@@ -115,7 +115,7 @@ TEST(Buchberger, IsNotMisledByThePrimeOfItsFirstPass) {
 
 TEST(Buchberger, KnowsTheTrivialIdeals) {
     base::Run run;
-    for (const Ring& ring : test::sample_rings()) {
+    for (const Ring& ring : eliminant::testing::sample_rings()) {
         const Polynomial zero(ring);
         const Polynomial one = Polynomial::constant(ring, 1);
         const Polynomial x = Polynomial::variable(ring, std::size_t{0});
@@ -216,8 +216,9 @@ TEST(Buchberger, CanBeStoppedFromAnotherThread) {
     const Ring ring(CoefficientField::rationals(), {"x0", "x1", "x2", "x3", "x4", "x5", "x6", "x7", "x8"},
                     MonomialOrder::lex());
     std::vector<Polynomial> generators;
-    test::Random random(5);
-    for (int i = 0; i < 9; ++i) generators.push_back(test::random_polynomial(ring, random, 30, 3));
+    eliminant::testing::Random random(5);
+    for (int i = 0; i < 9; ++i)
+        generators.push_back(eliminant::testing::random_polynomial(ring, random, 30, 3));
     std::thread stopper([&run] {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         run.request_stop();

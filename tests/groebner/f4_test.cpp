@@ -45,7 +45,7 @@ Dense schoolbook_echelon(const algebra::PrimeField& field, Dense rows) {
 }
 
 TEST(MacaulayMatrix, AgreesWithSchoolbookElimination) {
-    test::Random random(3);
+    eliminant::testing::Random random(3);
     base::Run run;
     for (const std::uint64_t p : {2U, 3U, 32003U, 2147483647U}) {
         const algebra::PrimeField field(p);
@@ -110,15 +110,15 @@ TEST(MacaulayMatrix, AgreesWithSchoolbookElimination) {
 }
 
 TEST(F4, AgreesWithBuchbergerOnRandomIdeals) {
-    test::Random random(21);
+    eliminant::testing::Random random(21);
     base::Run run;
-    for (const Ring& ring : test::sample_rings()) {
+    for (const Ring& ring : eliminant::testing::sample_rings()) {
         if (ring.field().is_rationals()) continue;
         for (int round = 0; round < 12; ++round) {
             std::vector<Polynomial> generators;
             for (std::uint64_t i = 0; i < 1 + random() % 4; ++i)
                 generators.push_back(
-                    test::random_polynomial(ring, random, 1 + random() % 5, 1 + random() % 4));
+                    eliminant::testing::random_polynomial(ring, random, 1 + random() % 5, 1 + random() % 4));
             const auto expected = buchberger(ring, generators, {}, run).elements;
             for (const auto selection : {groebner::Selection::sugar, groebner::Selection::normal}) {
                 BuchbergerOptions options;
@@ -185,8 +185,9 @@ TEST(F4, CanBeStoppedFromAnotherThread) {
     base::Run run;
     const Ring ring(CoefficientField::prime(2147483647), {"a", "b", "c", "d", "e", "f", "g", "h"});
     std::vector<Polynomial> generators;
-    test::Random random(5);
-    for (int i = 0; i < 9; ++i) generators.push_back(test::random_polynomial(ring, random, 60, 4));
+    eliminant::testing::Random random(5);
+    for (int i = 0; i < 9; ++i)
+        generators.push_back(eliminant::testing::random_polynomial(ring, random, 60, 4));
     std::thread stopper([&run] {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         run.request_stop();
