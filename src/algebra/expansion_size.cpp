@@ -32,7 +32,8 @@ Shape shape_of(const Polynomial& f) {
     return shape;
 }
 
-/// By its product, which only grows, so that it can end early; differences of lgamma lose every digit for large n.
+/// By its product, which only grows, so that it can end early; differences of lgamma lose every digit for
+/// large n.
 double binomial(double n, double k) {
     constexpr double enough = 1e30;
     k = std::min(k, n - k);
@@ -71,7 +72,8 @@ double expansion_bytes(const Polynomial& a, const Polynomial& b) {
     shape.total_degree += left.total_degree;
     for (std::size_t v = 0; v < shape.degrees.size(); ++v) shape.degrees[v] += left.degrees[v];
     shape.is_homogeneous = shape.is_homogeneous && left.is_homogeneous;
-    if (a.ring().field().is_rationals()) shape.coefficient_bits += left.coefficient_bits + std::log2(sums + 1);
+    if (a.ring().field().is_rationals())
+        shape.coefficient_bits += left.coefficient_bits + std::log2(sums + 1);
     return bytes(a.ring(), shape);
 }
 

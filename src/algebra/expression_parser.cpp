@@ -64,8 +64,10 @@ void ExpressionParser::product() {
     for (;;) {
         const Token next = scanner_.peek();
         if (next.kind == TokenKind::times || next.kind == TokenKind::divide) {
-            if (next.kind == TokenKind::divide && dialect_ == Dialect::singular && is_constant_from(first_node))
-                scanner_.fail("a variable before '/' (Singular divides integers with remainder, unless as in 7/2)");
+            if (next.kind == TokenKind::divide && dialect_ == Dialect::singular &&
+                is_constant_from(first_node))
+                scanner_.fail(
+                    "a variable before '/' (Singular divides integers with remainder, unless as in 7/2)");
             scanner_.take();
             minus ^= signs();
             const bool is_number = scanner_.peek().kind == TokenKind::number;
@@ -101,24 +103,31 @@ void ExpressionParser::atom() {
     if (dialect_ == Dialect::singular && (token.kind == TokenKind::number || token.kind == TokenKind::name))
         return singular_monomial();
     switch (token.kind) {
-    case TokenKind::number: literal(scanner_.take()); return;
-    case TokenKind::left: nested("')'"); return;
+    case TokenKind::number:
+        literal(scanner_.take());
+        return;
+    case TokenKind::left:
+        nested("')'");
+        return;
     case TokenKind::name: {
         scanner_.take();
         if (std::ranges::find(vocabulary_.functions, scanner_.text_of(token)) != vocabulary_.functions.end())
             return call(token);
         if (scanner_.peek().kind == TokenKind::left)
-            scanner_.fail(vocabulary_.functions.empty() ? "an operator (there are no functions here)"
-                                                        : "an operator, or a known function before the parenthesis");
+            scanner_.fail(vocabulary_.functions.empty()
+                              ? "an operator (there are no functions here)"
+                              : "an operator, or a known function before the parenthesis");
         return push_name(scanner_.text_of(token), token.begin);
     }
-    default: scanner_.fail("a number, a name or a parenthesis");
+    default:
+        scanner_.fail("a number, a name or a parenthesis");
     }
 }
 
 void ExpressionParser::nested(std::string_view expected) {
     if (++nesting_ > Expression::max_nesting)
-        scanner_.fail("at most " + std::to_string(Expression::max_nesting) + " parentheses inside each other");
+        scanner_.fail("at most " + std::to_string(Expression::max_nesting) +
+                      " parentheses inside each other");
     scanner_.require(TokenKind::left, "'('");
     sum();
     scanner_.require(TokenKind::right, "an operator or " + std::string(expected));
@@ -143,16 +152,16 @@ void ExpressionParser::literal(const Token& token) {
         const bool runs_on = scanner_.adjacent() && scanner_.peek().kind == TokenKind::name;
         if (runs_on) scanner_.fail("an operator after the decimal '" + std::string(text) + "'");
         if (!is_signed && vocabulary_.is_variable && vocabulary_.is_variable(text.substr(e)))
-            scanner_.source().fail(token.begin, "'" + std::string(text.substr(0, e)) + "*" + std::string(text.substr(e)) +
-                                                    "' or a number, as " + std::string(text.substr(e)) +
-                                                    " is a variable");
+            scanner_.source().fail(token.begin, "'" + std::string(text.substr(0, e)) + "*" +
+                                                    std::string(text.substr(e)) + "' or a number, as " +
+                                                    std::string(text.substr(e)) + " is a variable");
     }
     push(Kind::number, token.begin, static_cast<std::int64_t>(result_.numbers_.size()));
     result_.numbers_.push_back(read_number(scanner_.source(), token.begin, token.end));
 }
 
-/// `4/3x2y`, whose parts may not be separated: a number or fraction, then a known name, or letters that are known names
-/// with their exponents.
+/// `4/3x2y`, whose parts may not be separated: a number or fraction, then a known name, or letters that are
+/// known names with their exponents.
 void ExpressionParser::singular_monomial() {
     const std::string_view text = scanner_.source().text();
     std::size_t i = scanner_.peek().begin;
@@ -206,7 +215,8 @@ void ExpressionParser::exponent() {
     if (power.kind == TokenKind::superscript) {
         const std::string digits = superscript_text(scanner_.text_of(power));
         const bool minus = digits.front() == '-';
-        const auto value = read_exponent(std::string_view(digits).substr(minus || digits.front() == '+' ? 1 : 0));
+        const auto value =
+            read_exponent(std::string_view(digits).substr(minus || digits.front() == '+' ? 1 : 0));
         if (!value) scanner_.source().fail(power.begin, expected);
         push_power(minus ? -*value : *value, power.begin);
     } else {
@@ -235,11 +245,14 @@ std::int64_t ExpressionParser::parenthesised_exponent() {
     const ExpressionView view(result_, std::span(result_.nodes_).subspan(first_node));
     const auto value = evaluate_constant(view, "a number: an exponent is a constant", run_);
     if (value.get_den() != 1 || mpz_sizeinbase(value.get_num_mpz_t(), 2) > 63)
-        scanner_.source().fail(begin, "an integer exponent below 2^63", "(" + value.get_str().substr(0, 20) + ")");
+        scanner_.source().fail(begin, "an integer exponent below 2^63",
+                               "(" + value.get_str().substr(0, 20) + ")");
     result_.nodes_.resize(first_node);
     return value.get_num().get_si();
 }
 
-void ExpressionParser::push_power(std::int64_t exponent, std::size_t offset) { push(Kind::power, offset, exponent); }
+void ExpressionParser::push_power(std::int64_t exponent, std::size_t offset) {
+    push(Kind::power, offset, exponent);
+}
 
 } // namespace eliminant::algebra

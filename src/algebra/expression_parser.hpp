@@ -15,16 +15,18 @@ namespace eliminant::algebra {
 /// How the atoms of a formula are written.
 enum class Dialect : std::uint8_t {
     eliminant,
-    /// Singular: an atom may be a monomial `4/3x2y`, which a power then takes as a whole; no product is implied between
-    /// tokens; 7/2 is a rational only as one token.
+    /// Singular: an atom may be a monomial `4/3x2y`, which a power then takes as a whole; no product is
+    /// implied between tokens; 7/2 is a rational only as one token.
     singular,
 };
 
-/// Reads formulas by recursive descent; the grammar is in parse.hpp. Depth is bounded by Expression::max_nesting.
+/// Reads formulas by recursive descent; the grammar is in parse.hpp. Depth is bounded by
+/// Expression::max_nesting.
 class ExpressionParser {
   public:
     ExpressionParser(Scanner& scanner, const Vocabulary& vocabulary, Dialect dialect, base::Run& run)
-        : scanner_(scanner), vocabulary_(vocabulary), dialect_(dialect), run_(run), result_(scanner.source()) {}
+        : scanner_(scanner), vocabulary_(vocabulary), dialect_(dialect), run_(run),
+          result_(scanner.source()) {}
 
     /// Reads up to the first token that does not continue the sum.
     Expression parse_sum();

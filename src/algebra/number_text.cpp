@@ -1,5 +1,7 @@
 #include "number_text.hpp"
 
+#include "scanner.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <string>
@@ -14,6 +16,7 @@ constexpr std::int64_t max_decimal_exponent = 1'260'000;
 } // namespace
 
 std::optional<std::int64_t> read_exponent(std::string_view digits) {
+    if (digits.empty() || !is_digit(digits.front())) return std::nullopt; // from_chars would take a sign
     std::int64_t value = 0;
     const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc() || stop != digits.data() + digits.size()) return std::nullopt;
@@ -42,12 +45,13 @@ Expression::Number read_number(const base::SourceText& source, std::size_t begin
     }
     if (exponent_at != text.size()) {
         std::string_view written = text.substr(exponent_at + 1);
-        if (written.front() == '+') written.remove_prefix(1);
+        const bool minus = written.front() == '-';
+        if (minus || written.front() == '+') written.remove_prefix(1);
         const auto value = read_exponent(written);
-        if (!value || *value > max_decimal_exponent || *value < -max_decimal_exponent)
+        if (!value || *value > max_decimal_exponent)
             source.fail(begin + exponent_at + 1,
                         "a decimal exponent of at most " + std::to_string(max_decimal_exponent));
-        scale += *value;
+        scale += minus ? -*value : *value;
     }
     Expression::Number result{Integer::from_digits(digits), Integer(1)};
     if (scale == 0) return result;

@@ -13,7 +13,8 @@ namespace {
 
 std::int64_t read_integer(Scanner& scanner, bool may_be_negative) {
     const bool minus = may_be_negative && scanner.accept(TokenKind::minus);
-    const Token token = scanner.require(TokenKind::number, may_be_negative ? "an integer" : "a non-negative integer");
+    const Token token =
+        scanner.require(TokenKind::number, may_be_negative ? "an integer" : "a non-negative integer");
     const auto value = read_exponent(scanner.text_of(token));
     if (!value) scanner.source().fail(token.begin, "an integer below 2^63");
     return minus ? -*value : *value;

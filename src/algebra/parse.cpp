@@ -72,8 +72,10 @@ std::vector<std::string> parse_names(const base::SourceText& source) {
     std::vector<std::string> names;
     std::unordered_set<std::string_view> known;
     do {
-        const Token name = scanner.require(TokenKind::name, "a name: a letter, then letters, digits, underscores");
-        if (!known.insert(scanner.text_of(name)).second) source.fail(name.begin, "a name that is not yet in the list");
+        const Token name =
+            scanner.require(TokenKind::name, "a name: a letter, then letters, digits, underscores");
+        if (!known.insert(scanner.text_of(name)).second)
+            source.fail(name.begin, "a name that is not yet in the list");
         names.emplace_back(scanner.text_of(name));
     } while (scanner.accept(TokenKind::comma));
     scanner.require(TokenKind::end, "',' or the end of the list");

@@ -43,7 +43,8 @@ PolynomialArithmetic::Term PolynomialArithmetic::to_term(const Expression::Numbe
     return {fraction.numerator, fraction.denominator, std::vector<std::uint64_t>(ring_.variable_count(), 0)};
 }
 
-PolynomialArithmetic::Value PolynomialArithmetic::number(const Expression::Number& number, std::size_t offset) const {
+PolynomialArithmetic::Value PolynomialArithmetic::number(const Expression::Number& number,
+                                                         std::size_t offset) const {
     Term term = to_term(number);
     if (ring_.field().is_rationals()) return term;
     const PrimeField& field = ring_.field().prime_field();
@@ -98,7 +99,8 @@ bool PolynomialArithmetic::is_zero(Value& a) const {
 bool PolynomialArithmetic::is_constant(Value& a) const {
     simplify(a);
     if (const auto* term = std::get_if<Term>(&a))
-        return term->numerator.is_zero() || std::ranges::all_of(term->exponents, [](auto e) { return e == 0; });
+        return term->numerator.is_zero() ||
+               std::ranges::all_of(term->exponents, [](auto e) { return e == 0; });
     return std::get<Polynomial>(a).is_constant();
 }
 
@@ -115,8 +117,10 @@ void PolynomialArithmetic::append(PolynomialBuilder& sum, const Value& value) co
     std::vector<std::uint64_t> exponents(ring_.variable_count());
     for (std::size_t i = 0; i < f.size(); ++i) {
         f.layout().decode(f.packed_monomial(i), exponents);
-        if (ring_.field().is_rationals()) sum.add(f.integer_terms().coefficients[i], f.denominator(), exponents);
-        else sum.add(Integer(f.residue_terms().coefficients[i]), exponents);
+        if (ring_.field().is_rationals())
+            sum.add(f.integer_terms().coefficients[i], f.denominator(), exponents);
+        else
+            sum.add(Integer(f.residue_terms().coefficients[i]), exponents);
     }
 }
 
@@ -147,8 +151,10 @@ void PolynomialArithmetic::negate(Value& a) const {
         return;
     }
     Integer& numerator = std::get<Term>(a).numerator;
-    if (ring_.field().is_rationals()) numerator.negate();
-    else numerator = Integer(ring_.field().prime_field().from_integer(-numerator));
+    if (ring_.field().is_rationals())
+        numerator.negate();
+    else
+        numerator = Integer(ring_.field().prime_field().from_integer(-numerator));
 }
 
 void PolynomialArithmetic::multiply_term(Term& a, const Term& b, std::size_t offset) const {
@@ -171,7 +177,8 @@ void PolynomialArithmetic::multiply_term(Term& a, const Term& b, std::size_t off
 }
 
 Polynomial PolynomialArithmetic::product(const Polynomial& a, const Polynomial& b, std::size_t offset) const {
-    if (expansion_bytes(a, b) > max_expansion_bytes) source_.fail(offset, expansion_expected, "a larger product");
+    if (expansion_bytes(a, b) > max_expansion_bytes)
+        source_.fail(offset, expansion_expected, "a larger product");
     try {
         return algebra::multiply(a, b, run_);
     } catch (const base::OverflowError&) {
@@ -185,8 +192,10 @@ void PolynomialArithmetic::multiply(Value& a, Value b, std::size_t offset) const
     simplify(b);
     auto* term = std::get_if<Term>(&a);
     const auto* factor = std::get_if<Term>(&b);
-    if (term != nullptr && factor != nullptr) multiply_term(*term, *factor, offset);
-    else a = product(polynomial(std::move(a)), polynomial(std::move(b)), offset);
+    if (term != nullptr && factor != nullptr)
+        multiply_term(*term, *factor, offset);
+    else
+        a = product(polynomial(std::move(a)), polynomial(std::move(b)), offset);
 }
 
 void PolynomialArithmetic::divide(Value& a, Value b, std::size_t offset) const {
@@ -220,7 +229,8 @@ void PolynomialArithmetic::power_term(Term& a, std::uint64_t exponent, std::size
 
 Polynomial PolynomialArithmetic::power_polynomial(const Polynomial& f, std::uint64_t exponent,
                                                   std::size_t offset) const {
-    if (expansion_bytes(f, exponent) > max_expansion_bytes) source_.fail(offset, expansion_expected, "a larger power");
+    if (expansion_bytes(f, exponent) > max_expansion_bytes)
+        source_.fail(offset, expansion_expected, "a larger power");
     try {
         return pow(f, exponent, run_);
     } catch (const base::OverflowError&) {
@@ -233,7 +243,8 @@ void PolynomialArithmetic::power(Value& a, std::int64_t exponent, std::size_t of
     simplify(a);
     if (auto* f = std::get_if<Polynomial>(&a); f != nullptr && f->size() <= 1) {
         const mpq_class c = f->is_zero() ? mpq_class(0) : f->leading_coefficient();
-        Term term{Integer(c.get_num()), Integer(c.get_den()), std::vector<std::uint64_t>(ring_.variable_count(), 0)};
+        Term term{Integer(c.get_num()), Integer(c.get_den()),
+                  std::vector<std::uint64_t>(ring_.variable_count(), 0)};
         if (!f->is_zero()) f->layout().decode(f->packed_monomial(0), term.exponents);
         a = std::move(term);
     }
@@ -245,8 +256,10 @@ void PolynomialArithmetic::power(Value& a, std::int64_t exponent, std::size_t of
         exponent = -exponent;
     }
     const auto e = static_cast<std::uint64_t>(exponent);
-    if (auto* term = std::get_if<Term>(&a)) power_term(*term, e, offset);
-    else a = power_polynomial(std::get<Polynomial>(a), e, offset);
+    if (auto* term = std::get_if<Term>(&a))
+        power_term(*term, e, offset);
+    else
+        a = power_polynomial(std::get<Polynomial>(a), e, offset);
 }
 
 namespace {

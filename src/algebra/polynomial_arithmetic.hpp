@@ -15,8 +15,8 @@ namespace eliminant::algebra {
 
 /// The Environment (expression.hpp) of polynomials: names are variables of a ring, division is by constants.
 ///
-/// A value stays a single term while it is one, and a sum is collected unsorted, so that a long sum costs one sort
-/// and a monomial no polynomial arithmetic at all.
+/// A value stays a single term while it is one, and a sum is collected unsorted, so that a long sum costs one
+/// sort and a monomial no polynomial arithmetic at all.
 class PolynomialArithmetic {
   public:
     struct Term {
@@ -31,7 +31,8 @@ class PolynomialArithmetic {
 
     Value number(const Expression::Number& number, std::size_t offset) const;
     Value name(std::string_view name, std::size_t offset) const;
-    [[noreturn]] Value call(std::string_view function, const ExpressionView& argument, std::size_t offset) const;
+    [[noreturn]] Value call(std::string_view function, const ExpressionView& argument,
+                            std::size_t offset) const;
     void negate(Value& a) const;
     void add(Value& a, Value b, std::size_t offset) const;
     void subtract(Value& a, Value b, std::size_t offset) const;
@@ -65,7 +66,8 @@ class PolynomialArithmetic {
     base::Run& run_;
 };
 
-/// Where the right operand of the operator at `offset` begins: what an error about a divisor or an exponent points to.
+/// Where the right operand of the operator at `offset` begins: what an error about a divisor or an exponent
+/// points to.
 std::size_t right_operand(const base::SourceText& source, std::size_t offset);
 
 /// The value of a formula without names; throws ParseError with `expected` at a name.

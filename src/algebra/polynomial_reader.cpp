@@ -32,7 +32,8 @@ bool is_stop(TokenKind kind) {
 
 } // namespace
 
-PolynomialReader::PolynomialReader(const Ring& ring, const base::SourceText& source, Dialect dialect, base::Run& run)
+PolynomialReader::PolynomialReader(const Ring& ring, const base::SourceText& source, Dialect dialect,
+                                   base::Run& run)
     : ring_(ring), source_(source), dialect_(dialect), run_(run), terms_(ring, source.text(), dialect) {
     vocabulary_.is_variable = [this](std::string_view name) {
         return ring_.index_of(name).has_value() || (definitions_ != nullptr && definitions_->contains(name));
@@ -62,7 +63,8 @@ Polynomial PolynomialReader::read(std::size_t& position) {
         run_.poll();
         if (!terms_.read(position, sum)) position = read_general_term(position, sum);
         // Both readers leave the position at a sign, a character that ends the sum, or the end.
-    } while (position < source_.size() && std::string_view("=,;").find(source_.text()[position]) == std::string_view::npos);
+    } while (position < source_.size() &&
+             std::string_view("=,;").find(source_.text()[position]) == std::string_view::npos);
     return sum.build();
 }
 

@@ -17,16 +17,18 @@
 
 namespace eliminant::algebra {
 
-/// Reads the terms that nearly all long polynomials are made of, `- 3/4*x^2*y`, straight into a PolynomialBuilder.
+/// Reads the terms that nearly all long polynomials are made of, `- 3/4*x^2*y`, straight into a
+/// PolynomialBuilder.
 ///
-/// It knows only digits, names, `*`, `^`, `/` after the first number, and ASCII blanks. Of anything else, also of every
-/// error, it reads nothing and leaves it to ExpressionParser, so that the grammar and its messages stay in one place.
+/// It knows only digits, names, `*`, `^`, `/` after the first number, and ASCII blanks. Of anything else,
+/// also of every error, it reads nothing and leaves it to ExpressionParser, so that the grammar and its
+/// messages stay in one place.
 class TermReader {
   public:
     TermReader(const Ring& ring, std::string_view text, Dialect dialect);
 
-    /// Reads one term at `position` that is followed by a sign, the end, or one of `=,;`, adds it to the sum and moves
-    /// `position` to what follows. Otherwise changes nothing and returns false.
+    /// Reads one term at `position` that is followed by a sign, the end, or one of `=,;`, adds it to the sum
+    /// and moves `position` to what follows. Otherwise changes nothing and returns false.
     bool read(std::size_t& position, PolynomialBuilder& sum);
 
   private:

@@ -17,8 +17,10 @@ void append_number(std::string& text, Number value) {
 }
 
 void append_integer(std::string& text, const Integer& value) {
-    if (value.is_small()) append_number(text, value.small_value());
-    else text += value.to_string();
+    if (value.is_small())
+        append_number(text, value.small_value());
+    else
+        text += value.to_string();
 }
 
 /// Appends terms `+c*m`, the sign of the first one only if it is a minus.

@@ -23,13 +23,16 @@ class RationalArithmetic {
         std::optional<Polynomial> denominator; ///< not constant; none stands for 1
     };
 
-    RationalArithmetic(const Ring& ring, const Meaning& meaning, const base::SourceText& source, base::Run& run)
+    RationalArithmetic(const Ring& ring, const Meaning& meaning, const base::SourceText& source,
+                       base::Run& run)
         : polynomials_(ring, source, run), meaning_(meaning) {}
 
     Value number(const Expression::Number& number, std::size_t offset) const {
         return {polynomials_.number(number, offset), std::nullopt};
     }
-    Value name(std::string_view name, std::size_t offset) const { return to_value(meaning_.name(name, offset)); }
+    Value name(std::string_view name, std::size_t offset) const {
+        return to_value(meaning_.name(name, offset));
+    }
     Value call(std::string_view function, const ExpressionView& argument, std::size_t offset) const {
         if (!meaning_.call) polynomials_.call(function, argument, offset);
         return to_value(meaning_.call(function, argument, offset));
@@ -89,14 +92,16 @@ class RationalArithmetic {
             const base::SourceText& source = polynomials_.source();
             source.fail(right_operand(source, offset), "a denominator that is not zero");
         }
-        if (!a.denominator && polynomials_.is_constant(a.numerator)) { // stays a constant, without a denominator
+        if (!a.denominator &&
+            polynomials_.is_constant(a.numerator)) { // stays a constant, without a denominator
             PolynomialArithmetic::Value one = polynomials_.constant(1);
             polynomials_.divide(one, std::move(a.numerator), offset);
             a.numerator = std::move(one);
             return;
         }
         Polynomial numerator = polynomials_.polynomial(std::move(a.numerator));
-        a.numerator = a.denominator ? polynomials_.value(*std::move(a.denominator)) : polynomials_.constant(1);
+        a.numerator =
+            a.denominator ? polynomials_.value(*std::move(a.denominator)) : polynomials_.constant(1);
         a.denominator.reset();
         if (numerator.is_constant()) {
             polynomials_.divide(a.numerator, polynomials_.value(std::move(numerator)), offset);
@@ -107,9 +112,13 @@ class RationalArithmetic {
     /// Brings a and b over the lcm of their denominators.
     void bring_to_one_denominator(Value& a, Value& b, std::size_t offset) const {
         if (a.denominator == b.denominator) return;
-        const auto is_multiple_of_all = [](const Value& v, const Value& w) { return v.denominator && !w.denominator; };
-        if (is_multiple_of_all(a, b)) polynomials_.multiply(b.numerator, *a.denominator, offset);
-        else if (is_multiple_of_all(b, a)) polynomials_.multiply(a.numerator, *b.denominator, offset);
+        const auto is_multiple_of_all = [](const Value& v, const Value& w) {
+            return v.denominator && !w.denominator;
+        };
+        if (is_multiple_of_all(a, b))
+            polynomials_.multiply(b.numerator, *a.denominator, offset);
+        else if (is_multiple_of_all(b, a))
+            polynomials_.multiply(a.numerator, *b.denominator, offset);
         if (!a.denominator || !b.denominator) {
             if (!a.denominator) a.denominator = b.denominator;
             return;
@@ -132,7 +141,8 @@ class RationalArithmetic {
 RationalFunction::RationalFunction(Polynomial f)
     : numerator(std::move(f)), denominator(Polynomial::constant(numerator.ring(), 1)) {}
 
-RationalFunction::RationalFunction(Polynomial n, Polynomial d) : numerator(std::move(n)), denominator(std::move(d)) {
+RationalFunction::RationalFunction(Polynomial n, Polynomial d)
+    : numerator(std::move(n)), denominator(std::move(d)) {
     require_same_ring(numerator.ring(), denominator.ring(), "quotient of polynomials");
     if (denominator.is_zero()) throw DomainError("the denominator of a rational function is zero");
     if (denominator.is_constant() && !denominator.is_one()) {
@@ -147,18 +157,21 @@ RationalFunction in_lowest_terms(const RationalFunction& f, base::Run& run) {
     const Polynomial numerator = divide_exactly(f.numerator, common, run);
     const Polynomial denominator = divide_exactly(f.denominator, common, run);
     // What primitive_part() takes out of the denominator, with its sign.
-    const mpq_class unit = denominator.leading_coefficient() / denominator.primitive_part().leading_coefficient();
+    const mpq_class unit =
+        denominator.leading_coefficient() / denominator.primitive_part().leading_coefficient();
     return {numerator.scaled(1 / unit), denominator.primitive_part()};
 }
 
-RationalFunction evaluate(const ExpressionView& expression, const Ring& ring, const Meaning& meaning, base::Run& run) {
+RationalFunction evaluate(const ExpressionView& expression, const Ring& ring, const Meaning& meaning,
+                          base::Run& run) {
     const base::SourceText source = expression.source();
     RationalArithmetic arithmetic(ring, meaning, source, run);
     return arithmetic.result(evaluate(expression, arithmetic));
 }
 
 RationalFunction parse_rational_function(const Ring& ring, const base::SourceText& source, base::Run& run) {
-    const Vocabulary vocabulary{{}, [&ring](std::string_view name) { return ring.index_of(name).has_value(); }};
+    const Vocabulary vocabulary{{},
+                                [&ring](std::string_view name) { return ring.index_of(name).has_value(); }};
     const Expression expression = parse_expression(source, vocabulary, run);
     const PolynomialArithmetic names(ring, expression.source(), run);
     const Meaning meaning{[&names](std::string_view name, std::size_t offset) {

@@ -26,8 +26,9 @@ constexpr std::array signs = {
     Sign{"\u2044", TokenKind::divide}, // fraction slash
 };
 
-constexpr std::array<std::string_view, 12> superscripts = {"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074", "\u2075",
-                                                           "\u2076", "\u2077", "\u2078", "\u2079", "\u207A", "\u207B"};
+constexpr std::array<std::string_view, 12> superscripts = {"\u2070", "\u00B9", "\u00B2", "\u00B3",
+                                                           "\u2074", "\u2075", "\u2076", "\u2077",
+                                                           "\u2078", "\u2079", "\u207A", "\u207B"};
 constexpr std::string_view superscript_meaning = "0123456789+-";
 
 /// Index into superscripts of the character at the beginning of text, or their number.
@@ -40,7 +41,7 @@ std::size_t superscript_at(std::string_view text) {
 std::size_t blank_length(std::string_view text) {
     const char c = text.empty() ? 'x' : text.front();
     if (c == ' ' || (c >= '\t' && c <= '\r')) return 1;
-    if (text.starts_with("\u00A0")) return 2;                                          // no-break space
+    if (text.starts_with("\u00A0")) return 2; // no-break space
     if (text.starts_with("\u202F") || text.starts_with("\u205F") || text.starts_with("\u3000")) return 3;
     if (text.size() >= 3 && text.starts_with("\xE2\x80") && static_cast<unsigned char>(text[2]) <= 0x8A)
         return 3; // U+2000 … U+200A, spaces of all widths
@@ -49,17 +50,28 @@ std::size_t blank_length(std::string_view text) {
 
 TokenKind ascii_kind(char c) {
     switch (c) {
-    case '+': return TokenKind::plus;
-    case '-': return TokenKind::minus;
-    case '*': return TokenKind::times;
-    case '/': return TokenKind::divide;
-    case '^': return TokenKind::power;
-    case '(': return TokenKind::left;
-    case ')': return TokenKind::right;
-    case ',': return TokenKind::comma;
-    case ';': return TokenKind::semicolon;
-    case '=': return TokenKind::equals;
-    default: return TokenKind::other;
+    case '+':
+        return TokenKind::plus;
+    case '-':
+        return TokenKind::minus;
+    case '*':
+        return TokenKind::times;
+    case '/':
+        return TokenKind::divide;
+    case '^':
+        return TokenKind::power;
+    case '(':
+        return TokenKind::left;
+    case ')':
+        return TokenKind::right;
+    case ',':
+        return TokenKind::comma;
+    case ';':
+        return TokenKind::semicolon;
+    case '=':
+        return TokenKind::equals;
+    default:
+        return TokenKind::other;
     }
 }
 
@@ -105,8 +117,8 @@ void Scanner::skip_blanks() {
     }
 }
 
-/// End of the number that begins at i with a digit, or with a point before a digit. An `e` belongs to it only when
-/// digits follow, with or without a sign: 2e-3 is a decimal, 2e and 2ex are products.
+/// End of the number that begins at i with a digit, or with a point before a digit. An `e` belongs to it only
+/// when digits follow, with or without a sign: 2e-3 is a decimal, 2e and 2ex are products.
 std::size_t Scanner::number_end(std::size_t i) const {
     const auto at = [this](std::size_t k) { return k < text_.size() ? text_[k] : '\0'; };
     while (is_digit(at(i))) ++i;
@@ -147,7 +159,8 @@ void Scanner::advance() {
         if (rest.starts_with(sign.utf8)) return finish(sign.kind, sign.utf8.size());
     }
     std::size_t length = 0;
-    for (std::size_t i = superscript_at(rest); i < superscripts.size(); i = superscript_at(rest.substr(length)))
+    for (std::size_t i = superscript_at(rest); i < superscripts.size();
+         i = superscript_at(rest.substr(length)))
         length += superscripts[i].size();
     if (length != 0) return finish(TokenKind::superscript, length);
     finish(TokenKind::other, std::max<std::size_t>(1, base::utf8_length(rest)));

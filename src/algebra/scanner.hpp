@@ -34,9 +34,11 @@ struct Token {
 
 /// Splits a text into tokens, one of look-ahead.
 ///
-/// Between tokens it skips blanks (also the no-break and other wide ones of Unicode), line breaks and comments from
-/// `#` to the end of the line. The signs that people paste from papers are tokens like their ASCII forms: − and –,
-/// · ⋅ × and ∗, ∕ and ⁄, superscript digits. A byte order mark is skipped at the beginning of the text.
+/// Between tokens it skips blanks (also the no-break and other wide ones of Unicode), line breaks and
+/// comments from
+/// `#` to the end of the line. The signs that people paste from papers are tokens like their ASCII forms: −
+/// and –, · ⋅ × and ∗, ∕ and ⁄, superscript digits. A byte order mark is skipped at the beginning of the
+/// text.
 class Scanner {
   public:
     explicit Scanner(const base::SourceText& source, std::size_t offset = 0);
@@ -52,7 +54,9 @@ class Scanner {
     bool accept(TokenKind kind);
     /// Takes the next token, which is of that kind, or throws ParseError with what was expected.
     Token require(TokenKind kind, std::string_view expected);
-    std::string_view text_of(const Token& token) const { return text_.substr(token.begin, token.end - token.begin); }
+    std::string_view text_of(const Token& token) const {
+        return text_.substr(token.begin, token.end - token.begin);
+    }
 
     [[noreturn]] void fail(std::string expected) const { source_.fail(next_.begin, std::move(expected)); }
 

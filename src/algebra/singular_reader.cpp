@@ -14,14 +14,14 @@ namespace eliminant::algebra {
 
 namespace {
 
-/// A copy of the text, byte for byte as long, with blanks for Singular's comments and for the statements that say
-/// nothing about the system.
+/// A copy of the text, byte for byte as long, with blanks for Singular's comments and for the statements that
+/// say nothing about the system.
 std::string without_comments(const base::SourceText& source) {
     std::string text(source.text());
     const auto blank_out = [&text](std::size_t begin, std::size_t end) {
         std::replace_if(
-            text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end),
-            [](char c) { return c != '\n'; }, ' ');
+            text.begin() + static_cast<std::ptrdiff_t>(begin),
+            text.begin() + static_cast<std::ptrdiff_t>(end), [](char c) { return c != '\n'; }, ' ');
     };
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] == '#') source.fail(i, "Singular's language, in which comments begin with '//'", "'#'");
@@ -42,32 +42,44 @@ std::string without_comments(const base::SourceText& source) {
 
 /// A block of a product ordering.
 struct Block {
-    enum class Kind { lp, dp, Dp, wp, Wp, M, a } kind; // NOLINT(readability-identifier-naming): Singular's names
-    std::size_t first;                                 ///< variable
+    enum class Kind {
+        lp,
+        dp,
+        Dp,
+        wp,
+        Wp,
+        M,
+        a
+    } kind;            // NOLINT(readability-identifier-naming): Singular's names
+    std::size_t first; ///< variable
     std::size_t size;
     std::vector<std::int64_t> numbers; ///< weights, or matrix entries row by row
 };
 
 std::optional<Block::Kind> block_kind(std::string_view name) {
     using Kind = Block::Kind;
-    constexpr std::pair<std::string_view, Kind> kinds[] = {{"lp", Kind::lp}, {"dp", Kind::dp}, {"Dp", Kind::Dp},
-                                                           {"wp", Kind::wp}, {"Wp", Kind::Wp}, {"M", Kind::M},
-                                                           {"a", Kind::a}};
+    constexpr std::pair<std::string_view, Kind> kinds[] = {
+        {"lp", Kind::lp}, {"dp", Kind::dp}, {"Dp", Kind::Dp}, {"wp", Kind::wp},
+        {"Wp", Kind::Wp}, {"M", Kind::M},   {"a", Kind::a}};
     const auto* const found = std::ranges::find(kinds, name, &std::pair<std::string_view, Kind>::first);
     if (found == std::end(kinds)) return std::nullopt;
     return found->second;
 }
 
-bool takes_weights(Block::Kind kind) { return kind == Block::Kind::wp || kind == Block::Kind::Wp || kind == Block::Kind::a; }
+bool takes_weights(Block::Kind kind) {
+    return kind == Block::Kind::wp || kind == Block::Kind::Wp || kind == Block::Kind::a;
+}
 
 /// Appends the rows that a block contributes to the matrix of the order.
-void append_rows(std::vector<std::vector<std::int64_t>>& rows, const Block& block, std::size_t variable_count) {
+void append_rows(std::vector<std::vector<std::int64_t>>& rows, const Block& block,
+                 std::size_t variable_count) {
     using Kind = Block::Kind;
     const auto row = [&]() -> std::vector<std::int64_t>& { return rows.emplace_back(variable_count, 0); };
     if (block.kind == Kind::M) {
         for (std::size_t i = 0; i < block.size; ++i) {
             auto& r = row();
-            for (std::size_t j = 0; j < block.size; ++j) r[block.first + j] = block.numbers[i * block.size + j];
+            for (std::size_t j = 0; j < block.size; ++j)
+                r[block.first + j] = block.numbers[i * block.size + j];
         }
         return;
     }
@@ -143,19 +155,25 @@ class SingularReader {
 
 System SingularReader::read() {
     while (scanner_.peek().kind != TokenKind::end) {
-        if (at_word("ring")) ring_declaration();
-        else if (at_word("poly")) poly_declaration();
-        else if (at_word("ideal")) ideal_declaration();
-        else if (at_word("LIB") || at_word("option") || at_word("short") || at_word("quit") || at_word("exit"))
+        if (at_word("ring"))
+            ring_declaration();
+        else if (at_word("poly"))
+            poly_declaration();
+        else if (at_word("ideal"))
+            ideal_declaration();
+        else if (at_word("LIB") || at_word("option") || at_word("short") || at_word("quit") ||
+                 at_word("exit"))
             skip_statement();
-        else scanner_.fail("'ring', 'poly' or 'ideal' (no other statement of Singular is understood)");
+        else
+            scanner_.fail("'ring', 'poly' or 'ideal' (no other statement of Singular is understood)");
     }
     if (!ring_) scanner_.fail("a declaration 'ring r = …;'");
     return {*ring_, ideal_ ? *std::move(ideal_) : std::move(polynomials_)};
 }
 
 void SingularReader::skip_statement() {
-    while (scanner_.peek().kind != TokenKind::end && scanner_.take().kind != TokenKind::semicolon) {}
+    while (scanner_.peek().kind != TokenKind::end && scanner_.take().kind != TokenKind::semicolon) {
+    }
 }
 
 Token SingularReader::declared_name() {
@@ -178,15 +196,18 @@ void SingularReader::ring_declaration() {
         blocks = {{Block::Kind::dp, 0, names.size(), {}}};
     } else {
         scanner_.require(TokenKind::comma, "','");
-        if (scanner_.accept(TokenKind::left)) names = variables(TokenKind::right);
-        else names = {std::string(scanner_.text_of(scanner_.require(TokenKind::name, "the variables")))};
+        if (scanner_.accept(TokenKind::left))
+            names = variables(TokenKind::right);
+        else
+            names = {std::string(scanner_.text_of(scanner_.require(TokenKind::name, "the variables")))};
         scanner_.require(TokenKind::comma, "','");
         blocks = ordering(names.size());
     }
     scanner_.require(TokenKind::semicolon, "';'");
     if (overrides_.variables) names = *overrides_.variables;
     try {
-        auto order = overrides_.order ? order_or(overrides_, names, MonomialOrder::lex()) : order_of(blocks, names.size());
+        auto order = overrides_.order ? order_or(overrides_, names, MonomialOrder::lex())
+                                      : order_of(blocks, names.size());
         ring_ = Ring(overrides_.field.value_or(field), names, std::move(order));
     } catch (const base::DomainError& reason) {
         source().fail(begin, "a ring with an admissible order", reason.what());
@@ -217,7 +238,8 @@ std::vector<std::string> SingularReader::variables(TokenKind close) {
     std::vector<std::string> names;
     do {
         const Token name = scanner_.require(TokenKind::name, "a variable");
-        if (scanner_.peek().kind == TokenKind::left) scanner_.fail("',' (indexed variables are not understood)");
+        if (scanner_.peek().kind == TokenKind::left)
+            scanner_.fail("',' (indexed variables are not understood)");
         names.emplace_back(scanner_.text_of(name));
     } while (scanner_.accept(TokenKind::comma));
     if (close == TokenKind::other && !at_word("]")) scanner_.fail("',' or ']'");
@@ -252,7 +274,8 @@ Block SingularReader::block(std::size_t first, std::size_t variable_count) {
             result.size = 0;
             while (result.size * result.size < result.numbers.size()) ++result.size;
             if (result.size * result.size != result.numbers.size())
-                source().fail(name.begin, "a square matrix", std::to_string(result.numbers.size()) + " entries");
+                source().fail(name.begin, "a square matrix",
+                              std::to_string(result.numbers.size()) + " entries");
         }
     } else if (scanner_.peek().kind == TokenKind::left) {
         const Token parenthesis = scanner_.peek();
@@ -322,7 +345,8 @@ void SingularReader::ideal_declaration() {
 
 } // namespace
 
-System read_singular_system(const base::SourceText& source, const SystemOverrides& overrides, base::Run& run) {
+System read_singular_system(const base::SourceText& source, const SystemOverrides& overrides,
+                            base::Run& run) {
     const std::string text = without_comments(source);
     return SingularReader(base::SourceText(text, source.name()), overrides, run).read();
 }

@@ -19,8 +19,8 @@ namespace {
 
 bool is_keyword(std::string_view word) { return word == "variables" || word == "field" || word == "order"; }
 
-/// Whether the scanner stands at a header line. A name is never followed by a name in a polynomial, so a variable
-/// may be called `order`.
+/// Whether the scanner stands at a header line. A name is never followed by a name in a polynomial, so a
+/// variable may be called `order`.
 bool at_header(Scanner scanner) {
     const Token word = scanner.take();
     const TokenKind next = scanner.peek().kind;
@@ -54,8 +54,10 @@ SystemLines split_lines(const base::SourceText& source) {
         const bool has_mark = begin == 0 && text.starts_with("\uFEFF");
         const base::SourceText line = source.section(has_mark ? 3 : begin, end);
         const Scanner scanner(line);
-        if (at_header(scanner)) add_header(lines, line, scanner);
-        else if (scanner.peek().kind != TokenKind::end) lines.polynomials.push_back(line);
+        if (at_header(scanner))
+            add_header(lines, line, scanner);
+        else if (scanner.peek().kind != TokenKind::end)
+            lines.polynomials.push_back(line);
         begin = end + 1;
     }
     return lines;
@@ -82,11 +84,12 @@ bool looks_like_singular(const base::SourceText& source) {
                                       second == TokenKind::power); // "//", "/*", "/**"
     }
     const std::string_view word = scanner.text_of(first);
-    return (word == "ring" && scanner.peek().kind == TokenKind::name) || (word == "LIB" && scanner.peek().kind == TokenKind::other);
+    return (word == "ring" && scanner.peek().kind == TokenKind::name) ||
+           (word == "LIB" && scanner.peek().kind == TokenKind::other);
 }
 
-/// How many names a list has at the beginning that is followed, on a later line, by an integer on its own: the
-/// beginning of msolve's format. 0 if that is not how the text begins.
+/// How many names a list has at the beginning that is followed, on a later line, by an integer on its own:
+/// the beginning of msolve's format. 0 if that is not how the text begins.
 std::size_t names_before_characteristic(const base::SourceText& source) {
     Scanner scanner(source);
     std::size_t count = 0;
@@ -103,7 +106,8 @@ std::size_t names_before_characteristic(const base::SourceText& source) {
     const auto breaks_between = [text](std::size_t from, std::size_t to) {
         return text.substr(from, to - from).find('\n') != std::string_view::npos;
     };
-    const bool alone = breaks_between(list_end, number.begin) && breaks_between(number.end, scanner.peek().begin);
+    const bool alone =
+        breaks_between(list_end, number.begin) && breaks_between(number.end, scanner.peek().begin);
     return alone ? count : 0;
 }
 
@@ -117,7 +121,8 @@ SystemFormat guess(const base::SourceText& source) {
     return names > 1 ? SystemFormat::msolve : SystemFormat::eliminant;
 }
 
-std::vector<Polynomial> read_lines(const Ring& ring, std::span<const base::SourceText> lines, base::Run& run) {
+std::vector<Polynomial> read_lines(const Ring& ring, std::span<const base::SourceText> lines,
+                                   base::Run& run) {
     std::vector<Polynomial> polynomials;
     for (const base::SourceText& line : lines) polynomials.push_back(parse_equation(ring, line, run));
     return polynomials;
@@ -125,19 +130,22 @@ std::vector<Polynomial> read_lines(const Ring& ring, std::span<const base::Sourc
 
 } // namespace
 
-MonomialOrder order_or(const SystemOverrides& overrides, std::span<const std::string> names, MonomialOrder otherwise) {
+MonomialOrder order_or(const SystemOverrides& overrides, std::span<const std::string> names,
+                       MonomialOrder otherwise) {
     if (!overrides.order) return otherwise;
     return parse_order({*overrides.order, "order"}, names);
 }
 
-System read_eliminant_system(const base::SourceText& source, const SystemOverrides& overrides, base::Run& run) {
+System read_eliminant_system(const base::SourceText& source, const SystemOverrides& overrides,
+                             base::Run& run) {
     const SystemLines lines = split_lines(source);
     const auto field = lines.field ? parse_field(*lines.field) : CoefficientField::rationals();
     const auto declared = lines.variables ? std::optional(parse_names(*lines.variables)) : std::nullopt;
     const auto names = overrides.variables ? *overrides.variables
                        : declared          ? *declared
                                            : names_in_all(lines.polynomials);
-    // The line is read against its own names even where it is overridden, so that a wrong one is never silent.
+    // The line is read against its own names even where it is overridden, so that a wrong one is never
+    // silent.
     auto order = lines.order ? parse_order(*lines.order, overrides.order && declared ? *declared : names)
                              : MonomialOrder::degrevlex();
     const Ring ring(overrides.field.value_or(field), names, order_or(overrides, names, std::move(order)));
@@ -158,10 +166,12 @@ System read_msolve_system(const base::SourceText& source, const SystemOverrides&
     const auto p = read_exponent(scanner.text_of(number));
     if (!p || (*p != 0 && (*p >= std::int64_t{1} << 31 || !is_prime(static_cast<std::uint64_t>(*p)))))
         source.fail(number.begin, characteristic_expected);
-    const auto field = *p == 0 ? CoefficientField::rationals() : CoefficientField::prime(static_cast<std::uint64_t>(*p));
+    const auto field =
+        *p == 0 ? CoefficientField::rationals() : CoefficientField::prime(static_cast<std::uint64_t>(*p));
 
     if (overrides.variables) names = *overrides.variables;
-    const Ring ring(overrides.field.value_or(field), names, order_or(overrides, names, MonomialOrder::degrevlex()));
+    const Ring ring(overrides.field.value_or(field), names,
+                    order_or(overrides, names, MonomialOrder::degrevlex()));
     System system{ring, {}};
     PolynomialReader reader(ring, source, Dialect::eliminant, run);
     std::size_t position = number.end;
@@ -177,13 +187,17 @@ System parse_system(const base::SourceText& source, SystemFormat format, const S
                     base::Run& run) {
     source.check_encoding();
     switch (format == SystemFormat::guess ? guess(source) : format) {
-    case SystemFormat::msolve: return read_msolve_system(source, overrides, run);
-    case SystemFormat::singular: return read_singular_system(source, overrides, run);
-    default: return read_eliminant_system(source, overrides, run);
+    case SystemFormat::msolve:
+        return read_msolve_system(source, overrides, run);
+    case SystemFormat::singular:
+        return read_singular_system(source, overrides, run);
+    default:
+        return read_eliminant_system(source, overrides, run);
     }
 }
 
-System parse_system(std::span<const base::SourceText> polynomials, const SystemOverrides& overrides, base::Run& run) {
+System parse_system(std::span<const base::SourceText> polynomials, const SystemOverrides& overrides,
+                    base::Run& run) {
     const auto names = overrides.variables ? *overrides.variables : names_in_all(polynomials);
     const Ring ring(overrides.field.value_or(CoefficientField::rationals()), names,
                     order_or(overrides, names, MonomialOrder::degrevlex()));
@@ -197,7 +211,8 @@ std::string to_string(const System& system) {
         text.append(i == 0 ? "variables " : ", ").append(ring.names()[i]);
     if (ring.variable_count() > 0) text += '\n';
     text.append("field ").append(ring.field().to_string()).append("\n");
-    if (ring.variable_count() > 0) text.append("order ").append(ring.order().to_string(ring.names())).append("\n");
+    if (ring.variable_count() > 0)
+        text.append("order ").append(ring.order().to_string(ring.names())).append("\n");
     for (const Polynomial& f : system.polynomials) {
         const std::string line = to_string(f);
         // Alone on its line, a variable of that name would be a header; a sign makes it a polynomial.

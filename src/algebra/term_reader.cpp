@@ -15,8 +15,8 @@ constexpr std::ptrdiff_t max_small_digits = 18;
 } // namespace
 
 TermReader::TermReader(const Ring& ring, std::string_view text, Dialect dialect)
-    : ring_(ring), text_(text), end_(text.data() + text.size()), juxtaposition_(dialect == Dialect::eliminant),
-      exponents_(ring.variable_count(), 0) {
+    : ring_(ring), text_(text), end_(text.data() + text.size()),
+      juxtaposition_(dialect == Dialect::eliminant), exponents_(ring.variable_count(), 0) {
     one_letter_names_.fill(absent);
     for (std::size_t i = 0; i < ring.variable_count(); ++i) {
         const std::string& name = ring.names()[i];
@@ -93,8 +93,10 @@ bool TermReader::read(std::size_t& position, PolynomialBuilder& sum) {
     if (minus || *p == '+') p = skip_blanks(p + 1);
     numerator_ = Integer(1);
     denominator_ = Integer(1);
-    if (p != end_ && is_digit(*p)) p = read_coefficient(p);
-    else if (p == end_ || !is_letter(*p)) return false;
+    if (p != end_ && is_digit(*p))
+        p = read_coefficient(p);
+    else if (p == end_ || !is_letter(*p))
+        return false;
     while (p != nullptr && p != end_ && is_letter(*p)) {
         const char* const next = read_power(p);
         if (next != nullptr && next != end_ && is_letter(*next) && next[-1] != '*') return false;

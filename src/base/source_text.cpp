@@ -32,8 +32,10 @@ std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned lead = byte(0);
     if (lead < 0x80) return 1;
-    const std::size_t length = lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3
-                               : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+    const std::size_t length = lead >= 0xC2 && lead < 0xE0   ? 2
+                               : lead >= 0xE0 && lead < 0xF0 ? 3
+                               : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                             : 0;
     if (length == 0 || text.size() < length) return 0;
     for (std::size_t i = 1; i < length; ++i) {
         if (!continues_character(text[i])) return 0;
@@ -60,7 +62,8 @@ SourceLocation SourceText::locate(std::size_t offset) const {
     where.line += static_cast<std::size_t>(std::ranges::count(before, '\n'));
     before.remove_prefix(before.rfind('\n') + 1); // npos + 1 is 0
     if (where.line == 1 && starts_with_byte_order_mark(before)) before.remove_prefix(3);
-    where.column += before.size() - static_cast<std::size_t>(std::ranges::count_if(before, continues_character));
+    where.column +=
+        before.size() - static_cast<std::size_t>(std::ranges::count_if(before, continues_character));
     return where;
 }
 
@@ -81,7 +84,8 @@ std::string SourceText::describe(std::size_t offset) const {
     if (c == '\0') return "a NUL byte";
     const std::size_t length = utf8_length(rest);
     if (length == 0) return "the byte " + hexadecimal(static_cast<unsigned char>(c)) + ", which is not UTF-8";
-    if (length == 1 && (c < ' ' || c == '\x7f')) return "the control character " + hexadecimal(static_cast<unsigned char>(c));
+    if (length == 1 && (c < ' ' || c == '\x7f'))
+        return "the control character " + hexadecimal(static_cast<unsigned char>(c));
     const auto word_end = static_cast<std::size_t>(std::ranges::find_if_not(rest, is_word) - rest.begin());
     const std::size_t quoted = is_word(c) ? std::min(word_end, longest_quotation) : length;
     std::string text = "'";

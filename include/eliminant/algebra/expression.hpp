@@ -19,22 +19,24 @@ namespace eliminant::algebra {
 
 class ExpressionView;
 
-/// The operations of a formula in the sequence in which they are done (postfix notation), each with its place in the
-/// text. A flat array: neither its destruction nor its evaluation recurses.
+/// The operations of a formula in the sequence in which they are done (postfix notation), each with its place
+/// in the text. A flat array: neither its destruction nor its evaluation recurses.
 ///
-///     2*cos(u)^2 - 1      number 2 · call cos, extent 1 [ name u ] · power 2 · multiply · number 1 · subtract
+///     2*cos(u)^2 - 1      number 2 · call cos, extent 1 [ name u ] · power 2 · multiply · number 1 ·
+///     subtract
 ///
-/// A call stands before the operations of its argument and says how many they are, so that an evaluator can look at
-/// the argument instead of evaluating it. It refers to the text that it was read from, which outlives it.
+/// A call stands before the operations of its argument and says how many they are, so that an evaluator can
+/// look at the argument instead of evaluating it. It refers to the text that it was read from, which outlives
+/// it.
 class Expression {
   public:
     enum class Kind : std::uint8_t { number, name, call, negate, add, subtract, multiply, divide, power };
 
     struct Node {
         Kind kind;
-        std::size_t offset;    ///< into the source: of the operand's or operator's first character
-        std::int64_t payload;  ///< exponent of a power; index of a number or name
-        std::size_t extent;    ///< of a call: number of nodes of its argument, which follow it
+        std::size_t offset;   ///< into the source: of the operand's or operator's first character
+        std::int64_t payload; ///< exponent of a power; index of a number or name
+        std::size_t extent;   ///< of a call: number of nodes of its argument, which follow it
     };
     /// A literal, numerator/denominator in lowest terms, the denominator positive.
     struct Number {
@@ -90,8 +92,8 @@ inline ExpressionView Expression::view() const { return {*this, nodes_}; }
 
 /// What a formula may contain besides arithmetic.
 struct Vocabulary {
-    /// Names that must be followed by one argument in parentheses, as `cos`. Any other name before a parenthesis is
-    /// an error, not a product.
+    /// Names that must be followed by one argument in parentheses, as `cos`. Any other name before a
+    /// parenthesis is an error, not a product.
     std::vector<std::string> functions = {};
     /// Whether a name is known. Only asked to reject `2e3` where `e3` is a variable; without it 2e3 is 2000.
     std::function<bool(std::string_view)> is_variable = {};
@@ -110,8 +112,8 @@ Expression parse_expression(const base::SourceText& source, const Vocabulary& vo
 ///     void add(Value& a, Value b, offset), subtract, multiply, divide;      // a becomes a + b, …
 ///     void power(Value& a, std::int64_t exponent, std::size_t offset);
 ///
-/// add and subtract are called from left to right with the growing sum as a, so a Value that collects terms makes
-/// long sums linear. Offsets are of the operator, for error messages.
+/// add and subtract are called from left to right with the growing sum as a, so a Value that collects terms
+/// makes long sums linear. Offsets are of the operator, for error messages.
 template <class Environment>
 typename Environment::Value evaluate(const ExpressionView& expression, Environment& environment) {
     using Kind = Expression::Kind;
@@ -127,18 +129,34 @@ typename Environment::Value evaluate(const ExpressionView& expression, Environme
         const std::size_t at = node.offset;
         using Value = typename Environment::Value;
         switch (node.kind) {
-        case Kind::number: stack.push_back(environment.number(expression.number(node), at)); break;
-        case Kind::name: stack.push_back(environment.name(expression.name(node), at)); break;
+        case Kind::number:
+            stack.push_back(environment.number(expression.number(node), at));
+            break;
+        case Kind::name:
+            stack.push_back(environment.name(expression.name(node), at));
+            break;
         case Kind::call:
             stack.push_back(environment.call(expression.name(node), expression.argument(i), at));
             i += node.extent;
             break;
-        case Kind::negate: environment.negate(stack.back()); break;
-        case Kind::add: apply([&](Value& a, Value b) { environment.add(a, std::move(b), at); }); break;
-        case Kind::subtract: apply([&](Value& a, Value b) { environment.subtract(a, std::move(b), at); }); break;
-        case Kind::multiply: apply([&](Value& a, Value b) { environment.multiply(a, std::move(b), at); }); break;
-        case Kind::divide: apply([&](Value& a, Value b) { environment.divide(a, std::move(b), at); }); break;
-        case Kind::power: environment.power(stack.back(), node.payload, at); break;
+        case Kind::negate:
+            environment.negate(stack.back());
+            break;
+        case Kind::add:
+            apply([&](Value& a, Value b) { environment.add(a, std::move(b), at); });
+            break;
+        case Kind::subtract:
+            apply([&](Value& a, Value b) { environment.subtract(a, std::move(b), at); });
+            break;
+        case Kind::multiply:
+            apply([&](Value& a, Value b) { environment.multiply(a, std::move(b), at); });
+            break;
+        case Kind::divide:
+            apply([&](Value& a, Value b) { environment.divide(a, std::move(b), at); });
+            break;
+        case Kind::power:
+            environment.power(stack.back(), node.payload, at);
+            break;
         }
     }
     return std::move(stack.back());

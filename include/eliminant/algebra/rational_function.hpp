@@ -24,21 +24,23 @@ struct RationalFunction {
     bool is_polynomial() const { return denominator.is_one(); }
 };
 
-/// What the names and the functions of a formula stand for. A callback that knows no meaning throws, usually by
-/// SourceText::fail(offset, …) on the source of the expression.
+/// What the names and the functions of a formula stand for. A callback that knows no meaning throws, usually
+/// by SourceText::fail(offset, …) on the source of the expression.
 struct Meaning {
     std::function<RationalFunction(std::string_view name, std::size_t offset)> name;
     /// May be empty for formulas without functions.
-    std::function<RationalFunction(std::string_view function, ExpressionView argument, std::size_t offset)> call = {};
+    std::function<RationalFunction(std::string_view function, ExpressionView argument, std::size_t offset)>
+        call = {};
 };
 
 /// Numerator and denominator coprime, the denominator a primitive part (Polynomial::primitive_part). Unique.
 RationalFunction in_lowest_terms(const RationalFunction& f, base::Run& run);
 
 /// The value of a formula in the fraction field of `ring`, in lowest terms.
-/// \throws ParseError at a division by zero, an exponent or a constant that is too large; Stopped; what the callbacks
-/// throw
-RationalFunction evaluate(const ExpressionView& expression, const Ring& ring, const Meaning& meaning, base::Run& run);
+/// \throws ParseError at a division by zero, an exponent or a constant that is too large; Stopped; what the
+/// callbacks throw
+RationalFunction evaluate(const ExpressionView& expression, const Ring& ring, const Meaning& meaning,
+                          base::Run& run);
 
 /// `f` or `(n)/(d)`, as they are; reads back as the same rational function.
 std::string to_string(const RationalFunction& f);

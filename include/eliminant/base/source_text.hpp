@@ -10,15 +10,15 @@
 
 namespace eliminant::base {
 
-/// A text, or a section of one, with a name for messages. Positions are byte offsets into the section; messages
-/// count lines and characters from the beginning of the whole text, so a parser of one line of a file reports the
-/// line of the file.
+/// A text, or a section of one, with a name for messages. Positions are byte offsets into the section;
+/// messages count lines and characters from the beginning of the whole text, so a parser of one line of a
+/// file reports the line of the file.
 ///
 /// It refers to the text and does not own it: the text outlives it.
 class SourceText {
   public:
     /// \param name file name, `-` for standard input, or a word such as `argument`
-    SourceText(std::string_view text, std::string name = "argument"); // NOLINT(google-explicit-constructor)
+    SourceText(std::string_view text, std::string name = "argument");  // NOLINT(google-explicit-constructor)
     SourceText(const std::string& text, std::string name = "argument") // NOLINT(google-explicit-constructor)
         : SourceText(std::string_view(text), std::move(name)) {}
     SourceText(const char* text, std::string name = "argument") // NOLINT(google-explicit-constructor)
@@ -53,8 +53,8 @@ class SourceText {
     std::string name_;
 };
 
-/// Number of bytes of the UTF-8 character at the beginning of text: 1 to 4, or 0 if there is none that is well-formed
-/// (RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF).
+/// Number of bytes of the UTF-8 character at the beginning of text: 1 to 4, or 0 if there is none that is
+/// well-formed (RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF).
 std::size_t utf8_length(std::string_view text);
 
 } // namespace eliminant::base
