@@ -102,7 +102,7 @@ std::vector<std::string> legal_names(const algebra::Ring& ring, Format format) {
     }
     for (const std::size_t i : to_replace) {
         std::erase(names[i], '_');
-        while (!taken.insert(names[i]).second) names[i] += 'v';
+        while (!taken.insert(names[i]).second) names[i].push_back('v');
     }
     return names;
 }
@@ -120,7 +120,7 @@ std::string latex_name(std::string_view name) {
     if (std::ranges::find(greek, stem) != greek.end())
         text.append("\\").append(stem);
     else if (stem.size() == 1)
-        text = stem;
+        text.append(stem);
     else
         text.append("\\mathrm{").append(escaped(stem)).append("}");
     if (index.empty()) return text;

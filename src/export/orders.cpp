@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,11 @@ std::string joined(const Items& items, Print&& print) {
         text += print(item);
     }
     return text;
+}
+
+std::string enclosed(std::string_view left, std::string_view middle, std::string_view right) {
+    std::string text(left);
+    return text.append(middle).append(right);
 }
 
 template <class Number>
@@ -86,7 +92,9 @@ bool has_zero_weight(const MonomialOrder& order) {
 
 std::string singular_order(const Ring& ring) {
     const MonomialOrder& order = ring.order();
-    const auto matrix = [&] { return "M(" + joined(square_matrix(ring), &numbers<std::int64_t>) + ")"; };
+    const auto matrix = [&] {
+        return enclosed("M(", joined(square_matrix(ring), &numbers<std::int64_t>), ")");
+    };
     switch (order.kind()) {
     case Kind::lex:
         return "lp";
@@ -96,12 +104,14 @@ std::string singular_order(const Ring& ring) {
         return "dp";
     case Kind::weighted:
         if (order.tie_break() == MonomialOrder::TieBreak::revlex)
-            return "wp(" + numbers(order.weights()) + ")";
-        if (has_zero_weight(order)) return "(a(" + numbers(order.weights()) + "),lp)";
-        return "Wp(" + numbers(order.weights()) + ")";
+            return enclosed("wp(", numbers(order.weights()), ")");
+        if (has_zero_weight(order)) return enclosed("(a(", numbers(order.weights()), "),lp)");
+        return enclosed("Wp(", numbers(order.weights()), ")");
     case Kind::elimination:
         if (const auto sizes = consecutive_blocks(ring))
-            return "(" + joined(*sizes, [](std::size_t k) { return "dp(" + std::to_string(k) + ")"; }) + ")";
+            return enclosed(
+                "(", joined(*sizes, [](std::size_t k) { return enclosed("dp(", std::to_string(k), ")"); }),
+                ")");
         return matrix();
     case Kind::matrix:
         return matrix();
@@ -111,8 +121,8 @@ std::string singular_order(const Ring& ring) {
 
 std::string macaulay2_order(const Ring& ring) {
     const MonomialOrder& order = ring.order();
-    const auto weights = [](const auto& row) { return "Weights=>{" + numbers(row) + "}"; };
-    const auto matrix = [&] { return "{" + joined(square_matrix(ring), weights) + ",Lex}"; };
+    const auto weights = [](const auto& row) { return enclosed("Weights=>{", numbers(row), "}"); };
+    const auto matrix = [&] { return enclosed("{", joined(square_matrix(ring), weights), ",Lex}"); };
     switch (order.kind()) {
     case Kind::lex:
         return "Lex";
@@ -122,11 +132,14 @@ std::string macaulay2_order(const Ring& ring) {
         return "GRevLex";
     case Kind::weighted:
         if (order.tie_break() == MonomialOrder::TieBreak::lex)
-            return "{" + weights(order.weights()) + ",Lex}";
-        return "{GRevLex=>{" + numbers(order.weights()) + "}}";
+            return enclosed("{", weights(order.weights()), ",Lex}");
+        return enclosed("{GRevLex=>{", numbers(order.weights()), "}}");
     case Kind::elimination:
         if (const auto sizes = consecutive_blocks(ring))
-            return "{" + joined(*sizes, [](std::size_t k) { return "GRevLex=>" + std::to_string(k); }) + "}";
+            return enclosed(
+                "{",
+                joined(*sizes, [](std::size_t k) { return enclosed("GRevLex=>", std::to_string(k), ""); }),
+                "}");
         return matrix();
     case Kind::matrix:
         return matrix();
@@ -138,7 +151,8 @@ std::string sage_order(const Ring& ring) {
     const MonomialOrder& order = ring.order();
     const auto matrix = [&] {
         const std::string n = std::to_string(ring.variable_count());
-        std::string text = "TermOrder(matrix(" + n + "," + n;
+        std::string text = "TermOrder(matrix(";
+        text.append(n).append(",").append(n);
         return text.append(",[").append(joined(square_matrix(ring), &numbers<std::int64_t>)).append("]))");
     };
     switch (order.kind()) {
@@ -180,22 +194,24 @@ std::string maple_order(const Ring& ring, std::span<const std::string> names) {
     const MonomialOrder& order = ring.order();
     switch (order.kind()) {
     case Kind::lex:
-        return "plex(" + strings(names) + ")";
+        return enclosed("plex(", strings(names), ")");
     case Kind::deglex:
-        return "grlex(" + strings(names) + ")";
+        return enclosed("grlex(", strings(names), ")");
     case Kind::degrevlex:
-        return "tdeg(" + strings(names) + ")";
+        return enclosed("tdeg(", strings(names), ")");
     case Kind::elimination: {
         const auto sizes = consecutive_blocks(ring);
         if (!sizes || sizes->size() != 2) break;
         const auto first = names.first(sizes->front());
-        return "lexdeg([" + strings(first) + "],[" + strings(names.subspan(first.size())) + "])";
+        return enclosed("lexdeg([", strings(first), "],")
+            .append(enclosed("[", strings(names.subspan(first.size())), "])"));
     }
     default:
         break;
     }
-    const auto row = [](const Row& entries) { return "[" + numbers(entries) + "]"; };
-    return "'matrix'([" + joined(square_matrix(ring), row) + "],[" + strings(names) + "])";
+    const auto row = [](const Row& entries) { return enclosed("[", numbers(entries), "]"); };
+    return enclosed("'matrix'([", joined(square_matrix(ring), row), "],")
+        .append(enclosed("[", strings(names), "])"));
 }
 
 } // namespace eliminant::exporting
