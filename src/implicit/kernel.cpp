@@ -4,7 +4,9 @@
 #include "implicit/remaindering.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <list>
+#include <thread>
 #include <utility>
 
 namespace eliminant::implicit {
@@ -13,10 +15,14 @@ using algebra::Polynomial;
 
 namespace {
 
-/// The elements of the ideal of the graph, over the field of `ring`, in the kept variables: a reduced basis,
-/// or the first one.
-std::vector<Polynomial> kept_elements(const GradedMap& map, const algebra::Ring& ring, bool first_only,
-                                      groebner::Statistics& statistics, base::Run& run) {
+/// The elements of the ideal of the graph, over some field, in the kept variables: a reduced basis, or the
+/// first element.
+struct KeptElements {
+    std::vector<Polynomial> elements;
+    groebner::Statistics statistics;
+};
+
+KeptElements kept_elements(const GradedMap& map, const algebra::Ring& ring, bool first_only, base::Run& run) {
     std::vector<Polynomial> generators;
     for (const Polynomial& f : map.generators) generators.push_back(f.in_ring(ring));
     groebner::BuchbergerOptions options;
@@ -24,10 +30,33 @@ std::vector<Polynomial> kept_elements(const GradedMap& map, const algebra::Ring&
     const auto is_kept = [&map](const Polynomial& f) { return map.is_kept(f); };
     if (first_only) options.stop_at = is_kept;
     groebner::GroebnerBasis basis = buchberger(ring, generators, options, run);
-    statistics += basis.statistics;
-    if (!basis.complete) return {std::move(basis.elements.back())};
+    if (!basis.complete) return {{basis.elements.back()}, basis.statistics};
     std::erase_if(basis.elements, [&](const Polynomial& f) { return !is_kept(f); });
-    return std::move(basis.elements);
+    return {std::move(basis.elements), basis.statistics};
+}
+
+/// The kernels modulo some primes, each monic, at the same time. The first error of a thread is thrown again.
+std::vector<KeptElements> kernels_modulo(const GradedMap& map, const std::vector<std::uint64_t>& primes,
+                                         bool first_only, base::Run& run) {
+    std::vector<KeptElements> kernels(primes.size());
+    std::vector<std::exception_ptr> errors(primes.size());
+    const auto compute = [&](std::size_t i) {
+        try {
+            const auto field = algebra::CoefficientField::prime(primes[i]);
+            kernels[i] = kept_elements(map, map.ring.with_field(field), first_only, run);
+            for (Polynomial& f : kernels[i].elements) f = f.monic();
+        } catch (...) {
+            errors[i] = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 1; i < primes.size(); ++i) threads.emplace_back(compute, i);
+        compute(0);
+    }
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
+    return kernels;
 }
 
 bool proves(const mpz_class& modulus, const GradedMap& map, const std::vector<Polynomial>& elements) {
@@ -53,21 +82,22 @@ Kernel kernel_by_primes(const GradedMap& map, Codimension codimension, base::Run
     std::list<Remaindering> attempts;
     std::uint64_t p = algebra::PrimeField::max_characteristic + 1;
     for (;;) {
-        p = algebra::previous_prime(p);
-        ++kernel.primes_used;
+        // One prime is often enough, so the first goes alone; the primes are the same for every thread count.
+        std::vector<std::uint64_t> primes(kernel.primes_used == 0 ? 1 : run.threads());
+        for (std::uint64_t& prime : primes) prime = p = algebra::previous_prime(p);
         run.report([&] {
             return Progress{"elimination modulo primes", kernel.primes_used, 0, "prime " + std::to_string(p)};
         });
-        const algebra::Ring ring = map.ring.with_field(algebra::CoefficientField::prime(p));
-        std::vector<Polynomial> images = kept_elements(map, ring, first_only, kernel.statistics, run);
-        if (images.empty()) return kernel; // N(p) = 0, so N = 0
-        for (Polynomial& f : images) f = f.monic();
-        auto attempt =
-            std::ranges::find_if(attempts, [&](const Remaindering& a) { return a.accepts(images); });
-        if (attempt == attempts.end()) attempt = attempts.emplace(attempts.end(), map.ring);
-        attempt->add(images, run);
-        auto elements = attempt->reconstruct(run);
-        if (elements && proves(attempt->modulus(), map, *elements)) {
+        for (const KeptElements& image : kernels_modulo(map, primes, first_only, run)) {
+            ++kernel.primes_used;
+            kernel.statistics += image.statistics;
+            if (image.elements.empty()) return kernel; // N(p) = 0, so N = 0
+            auto attempt = std::ranges::find_if(
+                attempts, [&](const Remaindering& a) { return a.accepts(image.elements); });
+            if (attempt == attempts.end()) attempt = attempts.emplace(attempts.end(), map.ring);
+            attempt->add(image.elements, run);
+            auto elements = attempt->reconstruct(run);
+            if (!elements || !proves(attempt->modulus(), map, *elements)) continue;
             kernel.generators = std::move(*elements);
             return kernel;
         }
@@ -75,9 +105,8 @@ Kernel kernel_by_primes(const GradedMap& map, Codimension codimension, base::Run
 }
 
 Kernel kernel_over_rationals(const GradedMap& map, base::Run& run) {
-    Kernel kernel;
-    kernel.generators = kept_elements(map, map.ring, false, kernel.statistics, run);
-    return kernel;
+    KeptElements kept = kept_elements(map, map.ring, false, run);
+    return {std::move(kept.elements), 0, kept.statistics};
 }
 
 } // namespace eliminant::implicit

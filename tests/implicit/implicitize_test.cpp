@@ -193,6 +193,36 @@ TEST(Implicitize, AnswersTheSameForEverySeed) {
     }
 }
 
+TEST(Implicitize, AnswersTheSameForEveryNumberOfThreads) {
+    const Parametrization p =
+        parametrization_of("x = 641*t^6-205*t^5+422*t^4+973\ny = -928*t^6+168*t^3+313*t-711");
+    std::string first;
+    for (const unsigned threads : {1U, 2U, 3U, 8U}) {
+        RunOptions options;
+        options.threads = threads;
+        base::Run run(std::move(options));
+        const ImplicitResult result = implicitize(p, {}, run);
+        EXPECT_GT(result.statistics.primes_used, 3U);
+        if (threads == 1) first = joined(result.equations);
+        EXPECT_EQ(joined(result.equations), first);
+    }
+}
+
+TEST(Implicitize, StopsAllItsThreads) {
+    const Parametrization p = parametrization_of("x = s^3*t-t^2+1\ny = s*t^3-2*s\nz = s^2*t^2-s+5*t");
+    base::Run* current = nullptr;
+    RunOptions options;
+    options.threads = 3;
+    options.progress_interval = std::chrono::milliseconds(0);
+    int reports = 0;
+    options.progress = [&](const Progress&) {
+        if (++reports == 200) current->request_stop();
+    };
+    base::Run run(std::move(options));
+    current = &run;
+    EXPECT_THROW(implicitize(p, {}, run), Stopped);
+}
+
 TEST(Implicitize, StopsWhereverItIsAskedTo) {
     // Progress is reported from inside; the n-th report asks for the stop.
     const Parametrization surface = parametrization_of("x = s^3*t-t^2+1\ny = s*t^3-2*s\nz = s^2*t^2-s+5*t");
