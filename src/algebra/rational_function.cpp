@@ -164,7 +164,7 @@ RationalFunction in_lowest_terms(const RationalFunction& f, base::Run& run) {
 
 RationalFunction evaluate(const ExpressionView& expression, const Ring& ring, const Meaning& meaning,
                           base::Run& run) {
-    const base::SourceText source = expression.source();
+    const base::SourceText& source = expression.source();
     RationalArithmetic arithmetic(ring, meaning, source, run);
     return arithmetic.result(evaluate(expression, arithmetic));
 }

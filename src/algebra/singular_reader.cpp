@@ -42,15 +42,7 @@ std::string without_comments(const base::SourceText& source) {
 
 /// A block of a product ordering.
 struct Block {
-    enum class Kind {
-        lp,
-        dp,
-        Dp,
-        wp,
-        Wp,
-        M,
-        a
-    } kind;            // NOLINT(readability-identifier-naming): Singular's names
+    enum class Kind { lex, degrevlex, deglex, weighted_revlex, weighted_lex, matrix, weight_vector } kind;
     std::size_t first; ///< variable
     std::size_t size;
     std::vector<std::int64_t> numbers; ///< weights, or matrix entries row by row
@@ -59,15 +51,18 @@ struct Block {
 std::optional<Block::Kind> block_kind(std::string_view name) {
     using Kind = Block::Kind;
     constexpr std::pair<std::string_view, Kind> kinds[] = {
-        {"lp", Kind::lp}, {"dp", Kind::dp}, {"Dp", Kind::Dp}, {"wp", Kind::wp},
-        {"Wp", Kind::Wp}, {"M", Kind::M},   {"a", Kind::a}};
+        {"lp", Kind::lex},          {"dp", Kind::degrevlex},
+        {"Dp", Kind::deglex},       {"wp", Kind::weighted_revlex},
+        {"Wp", Kind::weighted_lex}, {"M", Kind::matrix},
+        {"a", Kind::weight_vector}};
     const auto* const found = std::ranges::find(kinds, name, &std::pair<std::string_view, Kind>::first);
     if (found == std::end(kinds)) return std::nullopt;
     return found->second;
 }
 
 bool takes_weights(Block::Kind kind) {
-    return kind == Block::Kind::wp || kind == Block::Kind::Wp || kind == Block::Kind::a;
+    return kind == Block::Kind::weighted_revlex || kind == Block::Kind::weighted_lex ||
+           kind == Block::Kind::weight_vector;
 }
 
 /// Appends the rows that a block contributes to the matrix of the order.
@@ -75,7 +70,7 @@ void append_rows(std::vector<std::vector<std::int64_t>>& rows, const Block& bloc
                  std::size_t variable_count) {
     using Kind = Block::Kind;
     const auto row = [&]() -> std::vector<std::int64_t>& { return rows.emplace_back(variable_count, 0); };
-    if (block.kind == Kind::M) {
+    if (block.kind == Kind::matrix) {
         for (std::size_t i = 0; i < block.size; ++i) {
             auto& r = row();
             for (std::size_t j = 0; j < block.size; ++j)
@@ -83,17 +78,17 @@ void append_rows(std::vector<std::vector<std::int64_t>>& rows, const Block& bloc
         }
         return;
     }
-    if (block.kind != Kind::lp) {
+    if (block.kind != Kind::lex) {
         auto& r = row();
         for (std::size_t j = 0; j < block.size; ++j)
             r[block.first + j] = takes_weights(block.kind) ? block.numbers[j] : 1;
     }
-    if (block.kind == Kind::a) return;
-    const bool is_reverse = block.kind == Kind::dp || block.kind == Kind::wp;
+    if (block.kind == Kind::weight_vector) return;
+    const bool is_reverse = block.kind == Kind::degrevlex || block.kind == Kind::weighted_revlex;
     for (std::size_t j = 0; j < block.size; ++j)
         row()[block.first + (is_reverse ? block.size - 1 - j : j)] = is_reverse ? -1 : 1;
     // The degree and all but one exponent decide the last one.
-    if (block.kind != Kind::lp) rows.pop_back();
+    if (block.kind != Kind::lex) rows.pop_back();
 }
 
 MonomialOrder order_of(const std::vector<Block>& blocks, std::size_t variable_count) {
@@ -101,13 +96,15 @@ MonomialOrder order_of(const std::vector<Block>& blocks, std::size_t variable_co
     if (blocks.size() == 1) {
         const Block& block = blocks.front();
         const std::vector<std::uint64_t> weights(block.numbers.begin(), block.numbers.end());
-        if (block.kind == Kind::lp) return MonomialOrder::lex();
-        if (block.kind == Kind::dp) return MonomialOrder::degrevlex();
-        if (block.kind == Kind::Dp) return MonomialOrder::deglex();
-        if (block.kind == Kind::wp) return MonomialOrder::weighted(weights, MonomialOrder::TieBreak::revlex);
-        if (block.kind == Kind::Wp) return MonomialOrder::weighted(weights, MonomialOrder::TieBreak::lex);
+        if (block.kind == Kind::lex) return MonomialOrder::lex();
+        if (block.kind == Kind::degrevlex) return MonomialOrder::degrevlex();
+        if (block.kind == Kind::deglex) return MonomialOrder::deglex();
+        if (block.kind == Kind::weighted_revlex)
+            return MonomialOrder::weighted(weights, MonomialOrder::TieBreak::revlex);
+        if (block.kind == Kind::weighted_lex)
+            return MonomialOrder::weighted(weights, MonomialOrder::TieBreak::lex);
     }
-    if (std::ranges::all_of(blocks, [](const Block& block) { return block.kind == Kind::dp; })) {
+    if (std::ranges::all_of(blocks, [](const Block& block) { return block.kind == Kind::degrevlex; })) {
         std::vector<std::vector<std::size_t>> indices;
         for (const Block& block : blocks) {
             auto& list = indices.emplace_back();
@@ -193,7 +190,7 @@ void SingularReader::ring_declaration() {
     if (source().text().substr(scanner_.peek().begin, 1) == "[") { // QQ[x,y,z], in dp
         scanner_.take();
         names = variables(TokenKind::other);
-        blocks = {{Block::Kind::dp, 0, names.size(), {}}};
+        blocks = {{Block::Kind::degrevlex, 0, names.size(), {}}};
     } else {
         scanner_.require(TokenKind::comma, "','");
         if (scanner_.accept(TokenKind::left))
@@ -267,10 +264,10 @@ Block SingularReader::block(std::size_t first, std::size_t variable_count) {
     if (!kind) scanner_.fail("one of the global orderings lp, dp, Dp, wp, Wp, M, a");
     scanner_.take();
     Block result{*kind, first, variable_count - first, {}};
-    if (takes_weights(*kind) || *kind == Block::Kind::M) {
+    if (takes_weights(*kind) || *kind == Block::Kind::matrix) {
         result.numbers = numbers();
         result.size = result.numbers.size();
-        if (*kind == Block::Kind::M) {
+        if (*kind == Block::Kind::matrix) {
             result.size = 0;
             while (result.size * result.size < result.numbers.size()) ++result.size;
             if (result.size * result.size != result.numbers.size())
@@ -299,7 +296,7 @@ std::vector<Block> SingularReader::ordering(std::size_t variable_count) {
             continue;
         }
         blocks.push_back(block(ordered, variable_count));
-        if (blocks.back().kind != Block::Kind::a) ordered += blocks.back().size;
+        if (blocks.back().kind != Block::Kind::weight_vector) ordered += blocks.back().size;
     } while (several && scanner_.accept(TokenKind::comma));
     if (several) scanner_.require(TokenKind::right, "',' or ')'");
     if (ordered != variable_count)
