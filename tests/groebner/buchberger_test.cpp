@@ -54,7 +54,7 @@ TEST(Buchberger, AgreesWithThePlainAlgorithmOnRandomIdeals) {
             std::vector<Polynomial> generators;
             for (std::uint64_t i = 0; i < 1 + random() % 3; ++i)
                 generators.push_back(
-                    eliminant::testing::random_polynomial(ring, random, 1 + random() % 4, 1 + random() % 3));
+                    eliminant::testing::random_small(ring, random, 1 + random() % 4, 1 + random() % 3));
             const std::vector<Polynomial> expected = plain_buchberger(generators, run);
             for (const auto selection : {groebner::Selection::sugar, groebner::Selection::normal}) {
                 BuchbergerOptions options;
@@ -217,8 +217,7 @@ TEST(Buchberger, CanBeStoppedFromAnotherThread) {
                     MonomialOrder::lex());
     std::vector<Polynomial> generators;
     eliminant::testing::Random random(5);
-    for (int i = 0; i < 9; ++i)
-        generators.push_back(eliminant::testing::random_polynomial(ring, random, 30, 3));
+    for (int i = 0; i < 9; ++i) generators.push_back(eliminant::testing::random_small(ring, random, 30, 3));
     std::thread stopper([&run] {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         run.request_stop();

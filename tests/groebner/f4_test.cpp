@@ -118,7 +118,7 @@ TEST(F4, AgreesWithBuchbergerOnRandomIdeals) {
             std::vector<Polynomial> generators;
             for (std::uint64_t i = 0; i < 1 + random() % 4; ++i)
                 generators.push_back(
-                    eliminant::testing::random_polynomial(ring, random, 1 + random() % 5, 1 + random() % 4));
+                    eliminant::testing::random_small(ring, random, 1 + random() % 5, 1 + random() % 3));
             const auto expected = buchberger(ring, generators, {}, run).elements;
             for (const auto selection : {groebner::Selection::sugar, groebner::Selection::normal}) {
                 BuchbergerOptions options;
@@ -186,8 +186,7 @@ TEST(F4, CanBeStoppedFromAnotherThread) {
     const Ring ring(CoefficientField::prime(2147483647), {"a", "b", "c", "d", "e", "f", "g", "h"});
     std::vector<Polynomial> generators;
     eliminant::testing::Random random(5);
-    for (int i = 0; i < 9; ++i)
-        generators.push_back(eliminant::testing::random_polynomial(ring, random, 60, 4));
+    for (int i = 0; i < 9; ++i) generators.push_back(eliminant::testing::random_small(ring, random, 60, 4));
     std::thread stopper([&run] {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         run.request_stop();
