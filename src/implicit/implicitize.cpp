@@ -17,7 +17,7 @@ constexpr const char* dense_warning = "the image is dense: no polynomial other t
 constexpr const char* empty_warning =
     "the image is empty: the relations leave no parameter values at which all "
     "coordinates are defined";
-constexpr const char* closure_warning =
+constexpr const char* closure_note =
     "the equations describe the closure of the image, which may contain (real) points that no parameter "
     "values reach";
 
@@ -110,7 +110,7 @@ class Implicitization {
         if (several && equations.size() == 1) move_to_hypersurface_ring(equations);
         result_.codimension = closure_codimension(parametrization_, equations, run_);
         result_.equations = std::move(equations);
-        if (!is_graph(parametrization_, map_)) warn(closure_warning);
+        if (!is_graph(parametrization_, map_)) result_.notes.emplace_back(closure_note);
     }
 
     /// A single equation is printed by degrevlex, whatever order was asked for several.

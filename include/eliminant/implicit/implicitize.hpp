@@ -60,12 +60,14 @@ struct ImplicitResult {
     Method method = Method::groebner;
     Assurance assurance = Assurance::proved;
     std::string proof; ///< The theorem that the result rests on, or the test made.
-    /// What the equations do not say, a sentence each.
+    /// What may surprise in this very answer, a sentence each.
     std::vector<std::string> warnings;
     /// How many parameter values over the algebraic closure reach a general point of the image; nullopt if
     /// infinitely many or not computed.
     std::optional<std::uint64_t> parametrization_degree;
     ImplicitStatistics statistics;
+    /// What holds of most answers and is easily forgotten, a sentence each: that a closure may be larger than an image.
+    std::vector<std::string> notes = {};
 };
 
 /// The equations of the (Zariski) closure of the image of a parametrization, over the algebraic closure of

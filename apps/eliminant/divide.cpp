@@ -1,0 +1,81 @@
+/// \file
+/// `eliminant divide`.
+#include "command.hpp"
+#include "results.hpp"
+#include "systems.hpp"
+
+#include "eliminant/algebra/arithmetic.hpp"
+#include "eliminant/algebra/print.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace eliminant::app {
+
+namespace {
+
+std::string assignment(const std::string& name, const Polynomial& value) {
+    return name + " = " + to_string(value) + "\n";
+}
+
+class DivideCommand : public Command {
+  public:
+    std::string_view usage() const override { return "F by [FILE | - | G1 G2…]"; }
+
+    std::string_view description() const override {
+        return "Multivariate division: F = q1*G1 + q2*G2 + … + r, where no term of r is divisible by a "
+               "leading term\n"
+               "of a divisor. Each step uses the first divisor that applies. F and the divisors are "
+               "polynomials or\n"
+               "files (see 'eliminant groebner --help').\n"
+               "\n"
+               "Examples:\n"
+               "  eliminant divide 'x^2*y + x*y^2 + y^2' by 'x*y - 1' 'y^2 - 1' --order lex\n"
+               "  eliminant groebner 'x^2 + y^2 - 1' 'x - y' | eliminant divide 'x^3' by -\n";
+    }
+
+    void declare(OptionSet& options) override { system_.declare(options); }
+
+    ExitStatus run(std::span<const std::string> operands, Session& session) override {
+        const auto by = std::find(operands.begin(), operands.end(), "by");
+        if (by == operands.end())
+            throw UsageError("expected 'F by G1 G2…', found no 'by'; see 'eliminant divide --help'");
+        const std::span dividend_operands(operands.begin(), by);
+        const std::span divisor_operands(by + 1, operands.end());
+        if (dividend_operands.empty()) throw UsageError("expected a polynomial before 'by', found nothing");
+        if (divisor_operands.empty()) throw UsageError("expected divisors after 'by', found nothing");
+
+        const std::vector<System> systems =
+            read_systems(std::array{dividend_operands, divisor_operands}, system_, session.run());
+        if (systems[0].polynomials.size() != 1)
+            throw UsageError("expected one polynomial before 'by', found " +
+                             std::to_string(systems[0].polynomials.size()));
+        const Division division = divide(systems[0].polynomials[0], systems[1].polynomials, session.run());
+        session.write_result(session.format() == Format::json ? json(systems[0].ring, division)
+                                                              : text(division));
+        return exit_done;
+    }
+
+  private:
+    static std::string text(const Division& division) {
+        std::string result;
+        for (std::size_t i = 0; i < division.quotients.size(); ++i)
+            result += assignment(std::string("q").append(std::to_string(i + 1)), division.quotients[i]);
+        return result + assignment("r", division.remainder);
+    }
+
+    static std::string json(const Ring& ring, const Division& division) {
+        Json result = ring_fields(ring);
+        result["quotients"] = strings(division.quotients);
+        result["remainder"] = to_string(division.remainder);
+        return to_text(result);
+    }
+
+    SystemOptions system_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_divide() { return std::make_unique<DivideCommand>(); }
+
+} // namespace eliminant::app

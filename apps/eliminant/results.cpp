@@ -1,0 +1,54 @@
+#include "results.hpp"
+
+#include "eliminant/algebra/print.hpp"
+
+#include <sys/resource.h>
+
+namespace eliminant::app {
+
+std::string to_text(const Json& json) { return json.dump() + "\n"; }
+
+Json strings(std::span<const Polynomial> polynomials) {
+    Json list = Json::array();
+    for (const Polynomial& f : polynomials) list.push_back(to_string(f));
+    return list;
+}
+
+Json ring_fields(const Ring& ring) {
+    return {{"variables", ring.names()},
+            {"field", ring.field().to_string()},
+            {"order", ring.order().to_string(ring.names())}};
+}
+
+std::string lines(std::span<const Polynomial> polynomials) {
+    if (polynomials.empty()) return "0\n";
+    std::string text;
+    for (const Polynomial& f : polynomials) text.append(to_string(f)).append("\n");
+    return text;
+}
+
+std::string ideal_in(Format format, const Ideal& I, Run& run) {
+    const std::vector<Polynomial>& basis = I.groebner_basis(run);
+    if (format != Format::json) return lines(basis);
+    Json result = ring_fields(I.ring());
+    result["basis"] = strings(basis);
+    return to_text(result);
+}
+
+std::string statistics_line(const groebner::Statistics& statistics, double seconds) {
+    const auto count = [](std::uint64_t number) { return std::to_string(number); };
+    return "pairs treated: " + count(statistics.pairs_treated) +
+           "; skipped by the product criterion: " + count(statistics.skipped_by_product) +
+           ", by chain criterion M: " + count(statistics.skipped_by_chain_m) +
+           ", F: " + count(statistics.skipped_by_chain_f) + ", B: " + count(statistics.skipped_by_chain_b) +
+           "; zero reductions: " + count(statistics.zero_reductions) +
+           "; seconds: " + std::to_string(seconds) + "; peak memory: " + count(peak_memory() >> 20) + " MiB";
+}
+
+std::uint64_t peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) << 10; // Linux counts in KiB
+}
+
+} // namespace eliminant::app

@@ -1,0 +1,45 @@
+/// \file
+/// Results as text in the format that was asked for.
+#pragma once
+
+#include "eliminant/algebra/polynomial.hpp"
+#include "eliminant/base/run.hpp"
+#include "eliminant/groebner/buchberger.hpp"
+#include "eliminant/ideal/ideal.hpp"
+
+#include "common_options.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace eliminant::app {
+
+/// Fields appear in the order in which they are set, which is the documented one.
+using Json = nlohmann::ordered_json;
+
+/// On one line.
+std::string to_text(const Json& json);
+
+/// The polynomials as strings in text format.
+Json strings(std::span<const Polynomial> polynomials);
+
+/// `{"variables": …, "field": …, "order": …}`, to which results are added.
+Json ring_fields(const Ring& ring);
+
+/// The polynomials, a line each; `0` for none.
+std::string lines(std::span<const Polynomial> polynomials);
+
+/// An ideal by its reduced Groebner basis in the order of its ring.
+std::string ideal_in(Format format, const Ideal& I, Run& run);
+
+/// What a basis computation did, for --verbose.
+std::string statistics_line(const groebner::Statistics& statistics, double seconds);
+
+/// Most memory that the process has had so far, in bytes.
+std::uint64_t peak_memory();
+
+} // namespace eliminant::app
