@@ -67,8 +67,15 @@ void CommonOptions::declare(OptionSet& options) {
                       if (text.empty()) fail("the name of a file", text);
                       output = text;
                   });
-    options.choice<Format>("format", "how the result is written (default text)",
-                           {{"text", Format::text}, {"json", Format::json}}, format);
+    options.choice<ResultFormat>("format", "how the result is written (default text)",
+                                 {{"text", ResultFormat::text},
+                                  {"json", ResultFormat::json},
+                                  {"latex", ResultFormat::latex},
+                                  {"singular", ResultFormat::singular},
+                                  {"macaulay2", ResultFormat::macaulay2},
+                                  {"sage", ResultFormat::sage},
+                                  {"maple", ResultFormat::maple}},
+                                 format);
     options.flag("quiet", 'q', "no live progress on the terminal", quiet);
     options.flag("verbose", 'v', "statistics on standard error", verbose);
     options.heading("Limits");

@@ -12,11 +12,11 @@
 namespace eliminant::app {
 
 /// How a result is written.
-enum class Format { text, json };
+enum class ResultFormat { text, json, latex, singular, macaulay2, sage, maple };
 
 struct CommonOptions {
     std::string output; ///< empty for standard output
-    Format format = Format::text;
+    ResultFormat format = ResultFormat::text;
     unsigned threads = 0; ///< 0 for all cores
     std::optional<double> time_limit_seconds = {};
     std::optional<std::uint64_t> memory_limit_bytes = {};

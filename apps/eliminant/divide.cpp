@@ -14,10 +14,6 @@ namespace eliminant::app {
 
 namespace {
 
-std::string assignment(const std::string& name, const Polynomial& value) {
-    return name + " = " + to_string(value) + "\n";
-}
-
 class DivideCommand : public Command {
   public:
     std::string_view usage() const override { return "F by [FILE | - | G1 G2…]"; }
@@ -51,17 +47,18 @@ class DivideCommand : public Command {
             throw UsageError("expected one polynomial before 'by', found " +
                              std::to_string(systems[0].polynomials.size()));
         const Division division = divide(systems[0].polynomials[0], systems[1].polynomials, session.run());
-        session.write_result(session.format() == Format::json ? json(systems[0].ring, division)
-                                                              : text(division));
+        session.write_result(session.format() == ResultFormat::json ? json(systems[0].ring, division)
+                                                                    : text(session.format(), division));
         return exit_done;
     }
 
   private:
-    static std::string text(const Division& division) {
+    static std::string text(ResultFormat format, const Division& division) {
         std::string result;
         for (std::size_t i = 0; i < division.quotients.size(); ++i)
-            result += assignment(std::string("q").append(std::to_string(i + 1)), division.quotients[i]);
-        return result + assignment("r", division.remainder);
+            result +=
+                assignment_in(format, std::string("q").append(std::to_string(i + 1)), division.quotients[i]);
+        return result + assignment_in(format, "r", division.remainder);
     }
 
     static std::string json(const Ring& ring, const Division& division) {

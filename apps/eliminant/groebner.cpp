@@ -64,8 +64,9 @@ class GroebnerCommand : public Command {
         const System system = read_system(operands, system_, session.run());
         const GroebnerBasis basis = compute(system, session.run());
         session.console().detail(statistics_line(basis.statistics, session.seconds()));
-        session.write_result(session.format() == Format::json ? json(system.ring, basis, session.seconds())
-                                                              : lines(basis.elements));
+        session.write_result(session.format() == ResultFormat::json
+                                 ? json(system.ring, basis, session.seconds())
+                                 : ideal_in(session.format(), system.ring, basis.elements));
         return exit_done;
     }
 

@@ -22,9 +22,9 @@ using Ideals = std::span<const Ideal>;
 
 /// The answer to a question with the answers yes and no.
 ExitStatus write_answer(std::string_view operation, bool answer, Session& session) {
-    session.write_result(session.format() == Format::json ? to_text(Json{{operation, answer}})
-                         : answer                         ? "true\n"
-                                                          : "false\n");
+    session.write_result(session.format() == ResultFormat::json ? to_text(Json{{operation, answer}})
+                         : answer                               ? "true\n"
+                                                                : "false\n");
     return answer ? exit_done : exit_negative;
 }
 
@@ -80,8 +80,8 @@ ExitStatus run_radical_contains(Ideals ideals, Session& session) {
 
 ExitStatus run_dimension(Ideals ideals, Session& session) {
     const std::int64_t answer = dimension(ideals[0], session.run());
-    session.write_result(session.format() == Format::json ? to_text(Json{{"dimension", answer}})
-                                                          : std::to_string(answer) + "\n");
+    session.write_result(session.format() == ResultFormat::json ? to_text(Json{{"dimension", answer}})
+                                                                : std::to_string(answer) + "\n");
     return exit_done;
 }
 
@@ -103,7 +103,7 @@ ExitStatus run_hilbert(Ideals ideals, Session& session) {
     const std::string polynomial = to_string(series.hilbert_polynomial());
     const std::string kind = graded ? "graded" : "affine";
 
-    if (session.format() == Format::json) {
+    if (session.format() == ResultFormat::json) {
         session.write_result(to_text({{"series", kind},
                                       {"numerator", numerator},
                                       {"denominator_exponent", series.denominator_exponent()},

@@ -82,6 +82,13 @@ std::string json(const ImplicitResult& result, std::size_t coordinates, double s
     return to_text(report);
 }
 
+/// A polynomial for a hypersurface and, being 0, for a dense image; otherwise an ideal.
+std::string equations_in(ResultFormat format, const ImplicitResult& result) {
+    if (result.equations.size() > 1) return ideal_in(format, result.ring, result.equations);
+    return polynomial_in(format,
+                         result.equations.empty() ? Polynomial(result.ring) : result.equations.front());
+}
+
 class ImplicitizeCommand : public Command {
   public:
     std::string_view usage() const override { return "[FILE | - | 'x = …' 'y = …' …]"; }
@@ -135,9 +142,9 @@ class ImplicitizeCommand : public Command {
         const ImplicitResult result = implicitize(parametrization, options, session.run());
         for (const std::string& warning : result.warnings) session.console().warning(warning);
         describe(result, session);
-        session.write_result(session.format() == Format::json
+        session.write_result(session.format() == ResultFormat::json
                                  ? json(result, coordinates.size(), session.seconds())
-                                 : lines(result.equations));
+                                 : equations_in(session.format(), result));
         return exit_done;
     }
 

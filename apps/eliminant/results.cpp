@@ -1,10 +1,34 @@
 #include "results.hpp"
 
 #include "eliminant/algebra/print.hpp"
+#include "eliminant/export/formats.hpp"
 
 #include <sys/resource.h>
 
 namespace eliminant::app {
+
+namespace {
+
+exporting::Format syntax(ResultFormat format) {
+    switch (format) {
+    case ResultFormat::latex:
+        return exporting::Format::latex;
+    case ResultFormat::singular:
+        return exporting::Format::singular;
+    case ResultFormat::macaulay2:
+        return exporting::Format::macaulay2;
+    case ResultFormat::sage:
+        return exporting::Format::sage;
+    case ResultFormat::maple:
+        return exporting::Format::maple;
+    case ResultFormat::text:
+    case ResultFormat::json:
+        break; // whose polynomials are strings of text
+    }
+    return exporting::Format::text;
+}
+
+} // namespace
 
 std::string to_text(const Json& json) { return json.dump() + "\n"; }
 
@@ -20,16 +44,20 @@ Json ring_fields(const Ring& ring) {
             {"order", ring.order().to_string(ring.names())}};
 }
 
-std::string lines(std::span<const Polynomial> polynomials) {
-    if (polynomials.empty()) return "0\n";
-    std::string text;
-    for (const Polynomial& f : polynomials) text.append(to_string(f)).append("\n");
-    return text;
+std::string ideal_in(ResultFormat format, const Ring& ring, std::span<const Polynomial> generators) {
+    if (generators.empty() && format == ResultFormat::text) return "0\n";
+    return declared(ring, generators, syntax(format));
 }
 
-std::string ideal_in(Format format, const Ideal& I, Run& run) {
+std::string polynomial_in(ResultFormat format, const Polynomial& f) { return declared(f, syntax(format)); }
+
+std::string assignment_in(ResultFormat format, const std::string& name, const Polynomial& value) {
+    return name + " = " + formula(value, syntax(format)) + "\n";
+}
+
+std::string ideal_in(ResultFormat format, const Ideal& I, Run& run) {
     const std::vector<Polynomial>& basis = I.groebner_basis(run);
-    if (format != Format::json) return lines(basis);
+    if (format != ResultFormat::json) return ideal_in(format, I.ring(), basis);
     Json result = ring_fields(I.ring());
     result["basis"] = strings(basis);
     return to_text(result);

@@ -30,11 +30,18 @@ Json strings(std::span<const Polynomial> polynomials);
 /// `{"variables": …, "field": …, "order": …}`, to which results are added.
 Json ring_fields(const Ring& ring);
 
-/// The polynomials, a line each; `0` for none.
-std::string lines(std::span<const Polynomial> polynomials);
+/// Generators of an ideal, in text a line each, `0` for none; otherwise with what the other system must be
+/// told of their ring. Not for JSON.
+std::string ideal_in(ResultFormat format, const Ring& ring, std::span<const Polynomial> generators);
+
+/// A polynomial on its own, in the same way.
+std::string polynomial_in(ResultFormat format, const Polynomial& f);
+
+/// `NAME = FORMULA`, a line, without the ring. Not for JSON.
+std::string assignment_in(ResultFormat format, const std::string& name, const Polynomial& value);
 
 /// An ideal by its reduced Groebner basis in the order of its ring.
-std::string ideal_in(Format format, const Ideal& I, Run& run);
+std::string ideal_in(ResultFormat format, const Ideal& I, Run& run);
 
 /// What a basis computation did, for --verbose.
 std::string statistics_line(const groebner::Statistics& statistics, double seconds);

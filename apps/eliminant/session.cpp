@@ -101,7 +101,7 @@ void Session::write_result(std::string_view text) {
 }
 
 void Session::write_incomplete(std::string_view reason) {
-    if (options_.format != Format::json) return;
+    if (options_.format != ResultFormat::json) return;
     Run unlimited; // the own one has been stopped
     const nlohmann::ordered_json report{{"complete", false}, {"reason", reason}, {"seconds", seconds()}};
     destination_.write(report.dump() + "\n", unlimited);

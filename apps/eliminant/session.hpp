@@ -40,7 +40,7 @@ class Session {
 
     Run& run() { return run_; }
     Console& console() { return console_; }
-    Format format() const { return options_.format; }
+    ResultFormat format() const { return options_.format; }
     unsigned threads() const { return run_.threads(); }
     double seconds() const; ///< since the session began
 

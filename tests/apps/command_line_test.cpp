@@ -73,8 +73,8 @@ TEST(CommandLine, BadValuesSayWhatWasExpected) {
         arguments.insert(arguments.end(), options.begin(), options.end());
         expect_error(run(arguments), 2, message);
     };
-    expect_complaint({"--format", "jsn"},
-                     "--format: expected text or json, found 'jsn'; did you mean 'json'?");
+    expect_complaint({"--format", "jsn"}, "--format: expected text, json, latex, singular, macaulay2, sage "
+                                          "or maple, found 'jsn'; did you mean 'json'?");
     expect_complaint({"--threads", "many"},
                      "--threads: expected a whole number from 1 to 4096, found 'many'");
     expect_complaint({"--threads", "0"}, "--threads: expected a whole number from 1 to 4096, found '0'");
