@@ -1,6 +1,6 @@
 #include "eliminant/ideal/dimension.hpp"
 
-#include "ideal/ring_change.hpp"
+#include "ideal/basis_computation.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 #include "eliminant/ideal/ideal.hpp"
 
 #include "eliminant/algebra/arithmetic.hpp"
-#include "eliminant/groebner/buchberger.hpp"
+#include "ideal/basis_computation.hpp"
 #include "ideal/ring_change.hpp"
 
 #include <algorithm>
@@ -17,12 +17,18 @@ using algebra::Ring;
 
 namespace {
 
-std::vector<Polynomial> compute_basis(const Ring& ring, std::span<const Polynomial> generators,
-                                      base::Run& run) {
-    groebner::BuchbergerOptions options;
-    const std::vector<std::uint64_t>& weights = ring.order().weights();
-    if (std::ranges::all_of(weights, [](std::uint64_t w) { return w > 0; })) options.grading = weights;
-    return groebner::buchberger(ring, in_ring(generators, ring), options, run).elements;
+/// Whether the polynomials are a Groebner basis because their leading monomials are pairwise coprime
+/// (Buchberger's first criterion), as those of X_i − f_i(t) where X_i is large.
+bool have_coprime_leads(const std::vector<Polynomial>& polynomials) {
+    std::vector<bool> seen(polynomials.empty() ? 0 : polynomials.front().ring().variable_count(), false);
+    for (const Polynomial& f : polynomials) {
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            if (f.exponent(0, i) == 0) continue;
+            if (seen[i]) return false;
+            seen[i] = true;
+        }
+    }
+    return true;
 }
 
 } // namespace
@@ -94,12 +100,13 @@ std::vector<Polynomial> Ideal::generators() && { return state_->generators; }
 
 const std::vector<Polynomial>& Ideal::groebner_basis(const MonomialOrder& order, base::Run& run) const& {
     if (const auto* known = state_->find(order)) return *known;
-    // From a basis in a cheap order one in another order is found sooner than from the generators: its
-    // elements of low degree would have to be found again. A basis in an expensive order may be much larger
-    // than either.
-    const auto* source = state_->find(cheap_order(ring()));
-    if (source == nullptr) source = &generators();
-    return state_->keep(order, compute_basis(ring().with_order(order), *source, run));
+    const Ring target = ring().with_order(order);
+    if (have_coprime_leads(in_ring(generators(), target)))
+        return state_->keep(order, basis_directly(target, generators(), run));
+    if (weights_compared_first(target) || std::ranges::all_of(generators(), &Polynomial::is_homogeneous))
+        return state_->keep(order, basis_directly(target, known_generators(), run));
+    const std::vector<Polynomial>& graded = groebner_basis(MonomialOrder::degrevlex(), run);
+    return state_->keep(order, basis_by_homogenization(target, graded, run));
 }
 std::vector<Polynomial> Ideal::groebner_basis(const MonomialOrder& order, base::Run& run) && {
     return std::as_const(*this).groebner_basis(order, run);

@@ -88,8 +88,4 @@ std::vector<Polynomial> variables_of(const Ring& ring) {
     return result;
 }
 
-MonomialOrder cheap_order(const Ring& ring) {
-    return ring.order().is_graded() ? ring.order() : MonomialOrder::degrevlex();
-}
-
 } // namespace eliminant::ideal

@@ -29,7 +29,4 @@ std::vector<algebra::Polynomial> in_ring(std::span<const algebra::Polynomial> po
 /// The variables, as polynomials.
 std::vector<algebra::Polynomial> variables_of(const algebra::Ring& ring);
 
-/// The order in which a basis is got most cheaply: the ring's own if it is graded, else degrevlex.
-algebra::MonomialOrder cheap_order(const algebra::Ring& ring);
-
 } // namespace eliminant::ideal
