@@ -4,6 +4,7 @@
 #include "eliminant/algebra/coefficients.hpp"
 #include "eliminant/algebra/gcd.hpp"
 #include "eliminant/ideal/operations.hpp"
+#include "eliminant/ideal/radical.hpp"
 #include "implicit/support.hpp"
 
 #include <string>
@@ -38,12 +39,14 @@ inline Ideal direct_elimination(const Parametrization& p, const Ring& result_rin
     return {result_ring, moved};
 }
 
-/// Whether the equations are the reduced basis of the ideal of the image, prime without relations. With
-/// constants: whether what they generate over ℚ(constants) meets ℚ[coordinates, constants] in that ideal.
+/// Whether the equations are the reduced basis of the radical ideal of the image, prime without relations.
+/// With constants: whether what they generate over ℚ(constants) meets ℚ[coordinates, constants] in that
+/// ideal.
 inline ::testing::AssertionResult agrees_with_direct_elimination(const Parametrization& p,
                                                                  const ImplicitResult& result) {
     Run run;
-    const Ideal direct = direct_elimination(p, result.ring, run);
+    Ideal direct = direct_elimination(p, result.ring, run);
+    if (!p.relations().empty()) direct = radical(direct, run);
     const Ideal ours(result.ring, result.equations);
     const auto failure = [&] {
         return ::testing::AssertionFailure() << "got\n"

@@ -12,6 +12,7 @@ struct Shape {
     bool rational;
     const char* declarations;
     int rounds;
+    int relations = 0;
 };
 
 class RandomText {
@@ -25,6 +26,8 @@ class RandomText {
             if (shape.rational && below(3) != 0) text.append("/(1+").append(product(shape)).append(")");
             text.append("\n");
         }
+        for (int i = 0; i < shape.relations; ++i)
+            text.append("relation ").append(product(shape)).append("*(").append(sum(shape)).append(") = 0\n");
         return text;
     }
 
@@ -97,6 +100,14 @@ TEST(DirectElimination, AgreesWithAngles) {
     compare({"space curves", 3, {"cos(u)", "sin(u)"}, 2, false, "parameters u\n", 10});
     compare({"surfaces", 3, {"cos(u)", "sin(v)", "t"}, 2, false, "", 15});
     compare({"with a constant", 2, {"cos(u)", "sin(u)", "r"}, 2, false, "constants r\n", 10});
+}
+
+TEST(DirectElimination, AgreesWithRelations) {
+    compare({"one relation", 2, {"s", "t"}, 2, false, "parameters s, t\n", 25, 1});
+    compare({"a relation and denominators", 2, {"s", "t"}, 1, true, "parameters s, t\n", 25, 1});
+    compare({"more coordinates", 3, {"s", "t"}, 1, true, "parameters s, t\n", 15, 1});
+    compare({"two relations", 2, {"s", "t", "u"}, 1, false, "parameters s, t, u\n", 15, 2});
+    compare({"angles", 2, {"cos(u)", "sin(u)", "t"}, 1, false, "", 10, 1});
 }
 
 } // namespace
