@@ -2,6 +2,7 @@
 
 #include "multiply_kernels.hpp"
 #include "multiply_keys.hpp"
+#include "multiply_kronecker.hpp"
 #include "multiply_plan.hpp"
 #include "multiply_sums.hpp"
 
@@ -20,8 +21,10 @@ class Product {
     using Element = typename Sums::Element;
     using Operand = typename Sums::Operand;
 
-    Product(const KeyLine& line, const Sums& sums, const ProductOptions& options, base::Run& run)
-        : line_(line), sums_(sums), options_(options), run_(run), decoder_(line), result_(line.target()) {}
+    /// `bits` bounds the coefficients of the result; it matters only over ℚ.
+    Product(const KeyLine& line, const Sums& sums, std::size_t bits, const ProductOptions& options,
+            base::Run& run)
+        : sums_(sums), bits_(bits), options_(options), run_(run), decoder_(line), result_(line.target()) {}
 
     template <class Key>
     TermList<Element> compute(const KeyedTerms<Key, Operand>& a, const KeyedTerms<Key, Operand>& b) {
@@ -35,10 +38,21 @@ class Product {
         choice.swapped = b.size() < a.size();
         if constexpr (!std::same_as<Key, LongKey>) {
             if (options_.kernel != ProductKernel::heap)
-                choice = choose_window(count_windows(a.keys), count_windows(b.keys),
-                                       static_cast<double>(a.keys[0] + b.keys[0]) + 1,
-                                       sizeof(typename Sums::Cell));
+                choice =
+                    choose_window(count_windows(a.keys), count_windows(b.keys),
+                                  static_cast<double>(a.keys[0] + b.keys[0]) + 1, sizeof(typename Sums::Cell),
+                                  Sums::polls ? 15 + 2.5e-5 * static_cast<double>(bits_ * bits_) : 0);
             if (options_.kernel == ProductKernel::window && choice.bits == 0) choice.bits = min_window_bits;
+            if constexpr (std::same_as<Key, std::uint64_t>) {
+                const std::size_t slot_bits = sums_.slot_bits(bits_);
+                constexpr std::uint64_t forced_limit = 1 << 20; // exponents near 2^63 would need 2^63 slots
+                if ((options_.kernel == ProductKernel::kronecker && a.keys[0] + b.keys[0] < forced_limit) ||
+                    (options_.kernel == ProductKernel::automatic &&
+                     kronecker_cost(a.keys[0], b.keys[0], a.size() + b.size(), slot_bits) < choice.cost)) {
+                    multiply_by_kronecker(a, b, slot_bits, sums_, run_, emit);
+                    return std::move(result_);
+                }
+            }
             if (options_.window_bits != 0) choice.bits = options_.window_bits;
             if (choice.bits != 0) {
                 multiply_by_window(choice.swapped ? b : a, choice.swapped ? a : b, choice.bits, sums_, run_,
@@ -51,30 +65,22 @@ class Product {
     }
 
   private:
-    const KeyLine& line_;
     const Sums& sums_;
+    std::size_t bits_;
     const ProductOptions& options_;
     base::Run& run_;
     KeyDecoder decoder_;
     TermList<Element> result_;
 };
 
-/// The widest fields of a product, and the narrowest layout that holds them.
-const MonomialLayout& product_layout(const Ring& ring, std::span<const FieldSpan> a,
-                                     std::span<const FieldSpan> b) {
-    std::uint64_t widest = 0;
-    for (std::size_t f = 0; f < a.size(); ++f) widest = std::max(widest, a[f].high + b[f].high);
-    return ring.layout_for(widest);
-}
-
 template <class Sums>
 TermList<typename Sums::Element> product(const Ring& ring, const TermList<typename Sums::Element>& a,
                                          const TermList<typename Sums::Element>& b, const Sums& sums,
-                                         const ProductOptions& options, base::Run& run) {
+                                         std::size_t bits, const ProductOptions& options, base::Run& run) {
     const auto spans_a = field_spans(*a.layout, a.monomials);
     const auto spans_b = field_spans(*b.layout, b.monomials);
-    const KeyLine line(product_layout(ring, spans_a, spans_b), spans_a, spans_b);
-    Product<Sums> engine(line, sums, options, run);
+    const KeyLine line(ring.layout_for(widest_field(spans_a, spans_b)), spans_a, spans_b);
+    Product<Sums> engine(line, sums, bits, options, run);
     const OperandValues<Sums> values_a(a.coefficients);
     const OperandValues<Sums> values_b(b.coefficients);
     const auto compute = [&]<class Key>(std::type_identity<Key>) {
@@ -93,11 +99,11 @@ IntegerTerms integer_product(const Ring& ring, const IntegerTerms& a, const Inte
                              const ProductOptions& options, base::Run& run) {
     const CoefficientSize size_a = coefficient_size(a.coefficients);
     const CoefficientSize size_b = coefficient_size(b.coefficients);
-    if (!size_a.all_small || !size_b.all_small) return product(ring, a, b, IntegerSums{}, options, run);
     const std::size_t bits = product_bits(size_a, size_b);
-    if (bits < 64) return product(ring, a, b, WordSums<std::int64_t>{}, options, run);
-    if (bits < 128) return product(ring, a, b, WordSums<base::Int128>{}, options, run);
-    return product(ring, a, b, TripleSums{}, options, run);
+    if (!size_a.all_small || !size_b.all_small) return product(ring, a, b, IntegerSums{}, bits, options, run);
+    if (bits < 64) return product(ring, a, b, WordSums<std::int64_t>{}, bits, options, run);
+    if (bits < 128) return product(ring, a, b, WordSums<base::Int128>{}, bits, options, run);
+    return product(ring, a, b, TripleSums{}, bits, options, run);
 }
 
 } // namespace
@@ -112,8 +118,10 @@ Polynomial multiply_with(const Polynomial& a, const Polynomial& b, const Product
             ring, integer_product(ring, a.integer_terms(), b.integer_terms(), options, run),
             a.denominator() * b.denominator());
     const ResidueSums sums(ring.field().prime_field());
-    return Polynomial::from_terms(ring,
-                                  product(ring, a.residue_terms(), b.residue_terms(), sums, options, run));
+    const std::size_t bits = 2 * bit_width(std::uint64_t{ring.field().characteristic()}) +
+                             bit_width(std::uint64_t{std::min(a.size(), b.size())});
+    return Polynomial::from_terms(
+        ring, product(ring, a.residue_terms(), b.residue_terms(), sums, bits, options, run));
 }
 
 Polynomial multiply(const Polynomial& a, const Polynomial& b, base::Run& run) {
@@ -123,21 +131,6 @@ Polynomial multiply(const Polynomial& a, const Polynomial& b, base::Run& run) {
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
     base::Run run;
     return multiply(a, b, run);
-}
-
-Polynomial pow(const Polynomial& f, std::uint64_t exponent, base::Run& run) {
-    Polynomial result = Polynomial::constant(f.ring(), 1);
-    Polynomial square = f;
-    for (; exponent != 0; exponent >>= 1) {
-        if ((exponent & 1) != 0) result = multiply(result, square, run);
-        if (exponent > 1) square = multiply(square, square, run);
-    }
-    return result;
-}
-
-Polynomial pow(const Polynomial& f, std::uint64_t exponent) {
-    base::Run run;
-    return pow(f, exponent, run);
 }
 
 } // namespace eliminant::algebra

@@ -9,7 +9,8 @@ enum class ProductKernel {
     automatic, ///< by the cost model in multiply_plan.hpp
     heap,      ///< Johnson's heap: very sparse products
     window,    ///< dense accumulation in a sliding window: nearly everything else
-    kronecker, ///< one multiplication of huge integers: dense products of large polynomials
+    kronecker, ///< one multiplication of huge integers: dense products of large polynomials; refused for
+               ///< huge exponents, where the others step in
 };
 
 /// Overrides of the cost model.

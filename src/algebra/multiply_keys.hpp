@@ -4,6 +4,7 @@
 #include "eliminant/algebra/term_list.hpp"
 #include "eliminant/base/wide.hpp"
 
+#include <algorithm>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +25,13 @@ struct FieldSpan {
 /// The spans of all fields of a polynomial that is not 0.
 std::vector<FieldSpan> field_spans(const MonomialLayout& layout,
                                    std::span<const MonomialLayout::Word> monomials);
+
+/// The largest value of any field in a product.
+inline std::uint64_t widest_field(std::span<const FieldSpan> a, std::span<const FieldSpan> b) {
+    std::uint64_t widest = 0;
+    for (std::size_t f = 0; f < a.size(); ++f) widest = std::max(widest, a[f].high + b[f].high);
+    return widest;
+}
 
 /// A monomial of a product as a number: the deciding fields, each shifted to start at 0 and divided by its
 /// stride, as digits in a mixed radix that the product's fields never exceed (Kronecker's substitution).

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace eliminant::algebra {
@@ -52,12 +53,13 @@ inline double cell_cost(double bytes) {
 /// Of passing over one untouched cell.
 constexpr double scan_cost = 0.5 / 128;
 
+/// `extra` is what a product of coefficients costs beyond one of words.
 inline WindowChoice choose_window(const WindowCounts& a, const WindowCounts& b, double key_range,
-                                  std::size_t cell_bytes) {
+                                  std::size_t cell_bytes, double extra) {
     const auto products = static_cast<double>(a[0]) * static_cast<double>(b[0]);
     WindowChoice best;
     best.swapped = b[0] < a[0];
-    best.cost = products * heap_cost(static_cast<double>(std::min(a[0], b[0])));
+    best.cost = products * (extra + heap_cost(static_cast<double>(std::min(a[0], b[0]))));
     for (unsigned m = min_window_bits; m <= max_window_bits; ++m) {
         const auto cells = std::ldexp(1.0, static_cast<int>(m));
         const double bytes = cells * static_cast<double>(cell_bytes);
@@ -65,13 +67,26 @@ inline WindowChoice choose_window(const WindowCounts& a, const WindowCounts& b, 
             const double events = swapped ? static_cast<double>(b[0]) * static_cast<double>(a[m])
                                           : static_cast<double>(a[0]) * static_cast<double>(b[m]);
             const double visited = std::min(events, key_range / cells + 1);
-            const double cost =
-                products * cell_cost(bytes) + events * 6 + visited * cells * scan_cost + bytes * 0.05;
+            const double cost = products * (extra + cell_cost(bytes)) + events * 6 +
+                                visited * cells * scan_cost + bytes * 0.05;
             if (cost < best.cost) best = {m, swapped, cost};
             if (key_range < cells && m > min_window_bits) break;
         }
     }
     return best;
+}
+
+/// Of packing, multiplying and unpacking integers of key·slot_bits bits (GMP 6.2 needs about 0.65·log₂²n a
+/// limb). Infinite where they would not be in proportion to the operands.
+inline double kronecker_cost(std::uint64_t last_a, std::uint64_t last_b, std::size_t terms,
+                             std::size_t slot_bits) {
+    const double slots = static_cast<double>(last_a) + static_cast<double>(last_b) + 1;
+    if (slots > 8 * static_cast<double>(terms) + 1024) return std::numeric_limits<double>::infinity();
+    const double limbs_a = static_cast<double>(last_a + 1) * static_cast<double>(slot_bits) / 64 + 1;
+    const double limbs_b = static_cast<double>(last_b + 1) * static_cast<double>(slot_bits) / 64 + 1;
+    const double logarithm = std::log2(std::min(limbs_a, limbs_b) + 1);
+    return std::max(limbs_a, limbs_b) * (0.65 * logarithm * logarithm + 3) +
+           slots * (8 + static_cast<double>(slot_bits) / 32) + static_cast<double>(terms) * 5 + 500;
 }
 
 /// The window for dividing a by b; the number of quotient terms is a guess between #a/#b and #a.

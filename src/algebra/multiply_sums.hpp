@@ -44,6 +44,14 @@ struct ResidueSums {
         sum = std::min(raised, raised - multiple);
     }
     void add_value(Cell& sum, Element value) const { add(sum, value, 1); }
+    /// Room for sums of so many bits, which are never negative.
+    static std::size_t slot_bits(std::size_t bits) { return bits + 1; }
+    Element from_slot(base::Int128 sum) const {
+        const auto bits = static_cast<base::UInt128>(sum);
+        std::uint64_t rest = field.reduce(static_cast<std::uint64_t>(bits >> 64));
+        rest = field.reduce(rest << 32 | (static_cast<std::uint64_t>(bits) >> 32));
+        return field.reduce(rest << 32 | (static_cast<std::uint64_t>(bits) & 0xffffffff));
+    }
     Operand negative(Element value) const { return field.negate(value); }
     /// The value; the cell is 0 afterwards.
     Element take(Cell& sum) const { return field.reduce(std::exchange(sum, 0)); }
@@ -54,10 +62,18 @@ struct ResidueSums {
 /// An integer below 2^127 in size.
 base::Int128 wide_value(const Integer& value);
 
+/// What the accumulators of integers have in common.
+struct IntegerSlots {
+    using Element = Integer;
+    /// Room for values of so many bits and their sign.
+    static std::size_t slot_bits(std::size_t bits) { return bits + 1; }
+    static Integer from_slot(base::Int128 sum) { return Integer::from_wide(sum); }
+    static bool is_zero(const Integer& value) { return value.is_zero(); }
+};
+
 /// Sums below 2^63 (Sum = std::int64_t) or 2^127 (Sum = Int128) of products of word-size integers.
 template <class Sum>
-struct WordSums {
-    using Element = Integer;
+struct WordSums : IntegerSlots {
     using Operand = std::int64_t;
     using Cell = Sum;
     static constexpr bool polls = false;
@@ -67,7 +83,6 @@ struct WordSums {
     static void add_value(Cell& sum, const Integer& value) { sum += static_cast<Sum>(wide_value(value)); }
     static Operand negative(const Integer& value) { return -value.small_value(); }
     static Integer take(Cell& sum) { return Integer::from_wide(std::exchange(sum, 0)); }
-    static bool is_zero(const Integer& value) { return value.is_zero(); }
     static bool is_empty(Cell sum) { return sum == 0; }
 };
 
@@ -86,8 +101,7 @@ struct TripleCell {
     }
 };
 
-struct TripleSums {
-    using Element = Integer;
+struct TripleSums : IntegerSlots {
     using Operand = std::int64_t;
     using Cell = TripleCell;
     static constexpr bool polls = false;
@@ -97,13 +111,11 @@ struct TripleSums {
     static void add_value(Cell& sum, const Integer& value);
     static Operand negative(const Integer& value) { return -value.small_value(); }
     static Integer take(Cell& sum);
-    static bool is_zero(const Integer& value) { return value.is_zero(); }
     static bool is_empty(const Cell& sum) { return (sum.low | sum.middle | sum.high) == 0; }
 };
 
 /// Sums of any size.
-struct IntegerSums {
-    using Element = Integer;
+struct IntegerSums : IntegerSlots {
     using Operand = Integer;
     using Cell = Integer;
     static constexpr bool polls = true;
@@ -113,7 +125,6 @@ struct IntegerSums {
     static void add_value(Cell& sum, const Integer& value) { sum += value; }
     static Integer negative(const Integer& value) { return -value; }
     static Integer take(Cell& sum) { return std::exchange(sum, Integer()); }
-    static bool is_zero(const Integer& value) { return value.is_zero(); }
     static bool is_empty(const Cell& sum) { return sum.is_zero(); }
 };
 
