@@ -15,10 +15,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -76,16 +76,21 @@ void forget_peak() {
     std::ofstream("/proc/self/clear_refs") << 5;
 }
 
+double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 /// The median time of `work`, which returns the number of terms of its result.
 Measurement measure(int repeat, const std::function<std::size_t()>& work) {
-    using Clock = std::chrono::steady_clock;
     forget_peak();
     Measurement result;
     std::vector<double> times;
     for (int i = 0; i < repeat; ++i) {
-        const auto start = Clock::now();
+        const double start = cpu_seconds();
         result.terms = work();
-        times.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+        times.push_back(cpu_seconds() - start);
     }
     std::ranges::sort(times);
     result.seconds = times[times.size() / 2];
@@ -218,7 +223,7 @@ Measurement in_child(const std::function<Measurement()>& work) {
     if (child == 0) {
         const double before = mebibytes("VmRSS:"); // the program itself and the list of problems
         Measurement result = work();
-        result.peak_mebibytes -= before;
+        result.peak_mebibytes = std::max(0.0, result.peak_mebibytes - before);
         const auto written = write(ends[1], &result, sizeof result);
         _exit(written == sizeof result ? 0 : 1);
     }
@@ -320,9 +325,12 @@ int main(int argc, char** argv) {
             return problem.modular ? run_peer<ResiduePeer>(problem, repeat)
                                    : run_peer<IntegerPeer>(problem, repeat);
         });
+        char ratio[32] = "null"; // of memory, where there is enough to compare
+        if (peer.peak_mebibytes > 1)
+            std::snprintf(ratio, sizeof ratio, "%.3g", ours.peak_mebibytes / peer.peak_mebibytes);
         char ratios[96];
-        std::snprintf(ratios, sizeof ratios, R"("time_ratio":%.3g,"memory_ratio":%.3g)",
-                      ours.seconds / peer.seconds, ours.peak_mebibytes / peer.peak_mebibytes);
+        std::snprintf(ratios, sizeof ratios, R"("time_ratio":%.3g,"memory_ratio":%s)",
+                      ours.seconds / peer.seconds, ratio);
         std::cout << R"({"problem":")" << problem.name << R"(","eliminant":)" << json(ours) << R"(,"flint":)"
                   << json(peer) << "," << ratios << "}" << std::endl;
         if (ours.terms != peer.terms) {
