@@ -107,7 +107,7 @@ bool looks_like_polynomial(std::string_view argument) {
 
 bool looks_like_equation(std::string_view argument) {
     const std::string_view first_word = argument.substr(0, argument.find_first_of(" \t"));
-    return argument.find_first_of("=\n") != std::string_view::npos || first_word == "parameters" ||
+    return argument.find_first_of("=^*+(\n") != std::string_view::npos || first_word == "parameters" ||
            first_word == "constants" || first_word == "relation";
 }
 

@@ -50,7 +50,8 @@ Input input_of(std::span<const std::string> operands,
 /// not a path as `dir/name`, and has no extension as `name.ext`.
 bool looks_like_polynomial(std::string_view argument);
 
-/// Whether an argument is a line of a parametrization: an equation or a declaration.
+/// Whether an argument can only be, or is meant as, a line of a parametrization: it begins with `parameters`
+/// and the like, or has a sign that formulas have and names of files have not.
 bool looks_like_equation(std::string_view argument);
 
 } // namespace eliminant::app

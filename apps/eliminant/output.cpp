@@ -37,6 +37,16 @@ void write_blocks(int descriptor, std::string_view text, const std::string& file
     }
 }
 
+/// Opens a device or a pipe, which may have to wait for its reader.
+int open_in_place(const std::string& file, Run& run) {
+    for (;;) {
+        const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor >= 0) return descriptor;
+        if (errno != EINTR) throw FileError(file, errno);
+        run.poll();
+    }
+}
+
 std::optional<mode_t> mode_of(const std::string& path) {
     struct stat status {};
     if (stat(path.c_str(), &status) != 0) return std::nullopt;
@@ -123,8 +133,7 @@ void Destination::write(std::string_view text, Run& run) const {
     } else if (!target_.empty()) {
         replace_file(text, run);
     } else {
-        const int descriptor = open(file_.c_str(), O_WRONLY | O_CLOEXEC);
-        if (descriptor < 0) throw FileError(file_, errno);
+        const int descriptor = open_in_place(file_, run);
         try {
             write_blocks(descriptor, text, file_, run);
         } catch (...) {

@@ -3,8 +3,6 @@
 #include "eliminant/algebra/print.hpp"
 #include "eliminant/export/formats.hpp"
 
-#include <sys/resource.h>
-
 namespace eliminant::app {
 
 namespace {
@@ -71,12 +69,6 @@ std::string statistics_line(const groebner::Statistics& statistics, double secon
            ", F: " + count(statistics.skipped_by_chain_f) + ", B: " + count(statistics.skipped_by_chain_b) +
            "; zero reductions: " + count(statistics.zero_reductions) +
            "; seconds: " + std::to_string(seconds) + "; peak memory: " + count(peak_memory() >> 20) + " MiB";
-}
-
-std::uint64_t peak_memory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::uint64_t>(usage.ru_maxrss) << 10; // Linux counts in KiB
 }
 
 } // namespace eliminant::app

@@ -7,11 +7,10 @@
 #include "eliminant/groebner/buchberger.hpp"
 #include "eliminant/ideal/ideal.hpp"
 
-#include "common_options.hpp"
+#include "session.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,8 +44,5 @@ std::string ideal_in(ResultFormat format, const Ideal& I, Run& run);
 
 /// What a basis computation did, for --verbose.
 std::string statistics_line(const groebner::Statistics& statistics, double seconds);
-
-/// Most memory that the process has had so far, in bytes.
-std::uint64_t peak_memory();
 
 } // namespace eliminant::app

@@ -13,6 +13,15 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+// GCC and Clang tell in different ways that a sanitizer is compiled in.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define ELIMINANT_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define ELIMINANT_SANITIZED
+#endif
+#endif
+
 namespace eliminant::app {
 
 namespace {
@@ -46,7 +55,7 @@ void release(void* block, std::size_t) { std::free(block); }
 /// integer, fails at once with std::bad_alloc. It counts what is reserved, not what is used, hence the
 /// allowance.
 void fence_memory([[maybe_unused]] std::uint64_t limit, [[maybe_unused]] unsigned threads) {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // their shadow memory counts as well
+#ifndef ELIMINANT_SANITIZED // their shadow memory counts as well
     constexpr std::uint64_t process = 64 << 20;
     constexpr std::uint64_t stack = 8 << 20;
     const std::uint64_t fence = limit + limit / 2 + process + threads * stack;
@@ -85,9 +94,12 @@ InterruptGuard::~InterruptGuard() {
 Session::Session(const CommonOptions& options, Console& console)
     : options_(options), console_(console), destination_(options.output), run_(run_options(options, console)),
       interrupt_guard_(run_) {
-    // No time at all is over before the watchdog of the run has begun to watch.
+    // What is over before it begins does not depend on how soon the watchdog of the run looks for the first
+    // time.
     if (options.time_limit_seconds == 0.0) run_.request_stop(StopReason::time_limit);
-    if (options.memory_limit_bytes) fence_memory(*options.memory_limit_bytes, run_.threads());
+    if (!options.memory_limit_bytes) return;
+    if (peak_memory() > *options.memory_limit_bytes) run_.request_stop(StopReason::memory_limit);
+    fence_memory(*options.memory_limit_bytes, run_.threads());
 }
 
 double Session::seconds() const {
@@ -105,6 +117,12 @@ void Session::write_incomplete(std::string_view reason) {
     Run unlimited; // the own one has been stopped
     const nlohmann::ordered_json report{{"complete", false}, {"reason", reason}, {"seconds", seconds()}};
     destination_.write(report.dump() + "\n", unlimited);
+}
+
+std::uint64_t peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) << 10; // Linux counts in KiB
 }
 
 void prepare_process() {

@@ -9,6 +9,7 @@
 #include "eliminant/base/run.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -57,6 +58,9 @@ class Session {
     Run run_;
     InterruptGuard interrupt_guard_;
 };
+
+/// Most memory that the process has had so far, in bytes.
+std::uint64_t peak_memory();
 
 /// Makes the process as the program wants it, once, first thing in main: failed writes are errors instead of
 /// a signal, memory exhausted inside GMP is std::bad_alloc instead of an abort, and the standard descriptors

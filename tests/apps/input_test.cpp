@@ -30,6 +30,7 @@ TEST(Input, AMissingFileIsNotTakenForAPolynomial) {
         expect_error(run({"groebner", name}), 2, name + ": no such file");
     expect_error(run({"groebner", "a.sys", "b.sys"}), 2, "a.sys: no such file");
     expect_error(run({"implicitize", "circle"}), 2, "circle: no such file");
+    expect_error_with(run({"implicitize", "t^2"}), 2, "argument:1:");
     expect_error(run({"groebner", "/tmp/"}), 2, "/tmp/: is a directory");
     expect_error(run({"groebner", "/etc/passwd/x"}), 2, "/etc/passwd/x: not a directory");
     for (const std::string text : {"x/2", "3/4", "0.5", "x"})
