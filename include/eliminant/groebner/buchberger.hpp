@@ -37,7 +37,6 @@ struct Statistics {
     Statistics& operator+=(const Statistics& other);
 };
 
-/// How a basis is computed; the answer does not depend on it.
 /// How far a basis over ℚ is proved.
 enum class Proof {
     full, ///< every S-polynomial that the criteria leave was reduced to zero exactly
@@ -46,6 +45,7 @@ enum class Proof {
     none,
 };
 
+/// How a basis is computed; a complete basis does not depend on it.
 struct BuchbergerOptions {
     Selection selection = Selection::sugar;
     Proof proof = Proof::full;
