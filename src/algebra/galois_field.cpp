@@ -11,26 +11,31 @@ class PolynomialQuotient {
   public:
     using Digits = std::vector<std::uint32_t>;
 
-    PolynomialQuotient(std::uint32_t p, Digits tail) : p_(p), tail_(std::move(tail)) {}
+    /// `tail` is the modulus without its leading term.
+    PolynomialQuotient(std::uint32_t p, const Digits& tail) : p_(p), size_(tail.size()) {
+        for (std::uint64_t top = 0; top < p; ++top) {
+            for (const std::uint32_t c : tail)
+                reductions_.push_back(static_cast<std::uint32_t>(top * (p - c) % p));
+        }
+    }
 
     Digits one() const {
-        Digits result(tail_.size(), 0);
+        Digits result(size_, 0);
         result[0] = 1;
         return result;
     }
     void multiply_by_x(Digits& a) const {
-        const std::uint32_t top = a.back();
-        for (std::size_t i = a.size() - 1; i > 0; --i) a[i] = a[i - 1];
-        a[0] = 0;
-        if (top == 0) return;
-        for (std::size_t i = 0; i < a.size(); ++i)
-            a[i] = static_cast<std::uint32_t>((a[i] + std::uint64_t{top} * (p_ - tail_[i])) % p_);
+        const std::uint32_t* reduction = reductions_.data() + std::size_t{a.back()} * size_;
+        for (std::size_t i = size_; i-- > 0;) {
+            const std::uint32_t sum = (i == 0 ? 0 : a[i - 1]) + reduction[i];
+            a[i] = sum >= p_ ? sum - p_ : sum;
+        }
     }
     Digits multiply(const Digits& a, const Digits& b) const {
-        Digits sum(a.size(), 0);
-        for (std::size_t j = b.size(); j-- > 0;) {
+        Digits sum(size_, 0);
+        for (std::size_t j = size_; j-- > 0;) {
             multiply_by_x(sum);
-            for (std::size_t i = 0; i < a.size(); ++i)
+            for (std::size_t i = 0; i < size_; ++i)
                 sum[i] = static_cast<std::uint32_t>((sum[i] + std::uint64_t{a[i]} * b[j]) % p_);
         }
         return sum;
@@ -38,7 +43,7 @@ class PolynomialQuotient {
     /// x^exponent.
     Digits power_of_x(std::uint64_t exponent) const {
         Digits result = one();
-        for (int bit = 63; bit >= 0; --bit) {
+        for (int bit = 63 - __builtin_clzll(exponent | 1); bit >= 0; --bit) {
             result = multiply(result, result);
             if ((exponent >> bit & 1) != 0) multiply_by_x(result);
         }
@@ -47,7 +52,8 @@ class PolynomialQuotient {
 
   private:
     std::uint32_t p_;
-    Digits tail_; ///< the modulus without its leading term
+    std::size_t size_;
+    Digits reductions_; ///< for each digit c that x shifts out, c·x^k reduced: k digits
 };
 
 std::vector<std::uint64_t> prime_divisors(std::uint64_t n) {
@@ -69,7 +75,7 @@ PolynomialQuotient primitive_quotient(std::uint32_t p, unsigned k, std::uint64_t
         PolynomialQuotient::Digits tail(k);
         for (auto& digit : tail) digit = random.below(p);
         if (tail[0] == 0) continue;
-        PolynomialQuotient quotient(p, std::move(tail));
+        PolynomialQuotient quotient(p, tail);
         const auto one = quotient.one();
         if (quotient.power_of_x(group) != one) continue;
         bool primitive = true;

@@ -11,7 +11,9 @@ namespace eliminant::algebra {
 namespace {
 
 /// A univariate gcd of this degree takes about 100 ms; dense images above it would cost more than they tell.
-constexpr std::uint64_t max_image_degree = 8192;
+constexpr std::uint64_t max_cheap_degree = 8192;
+/// No dense images at all above this degree.
+constexpr std::uint64_t max_image_degree = std::uint64_t{1} << 22;
 
 /// Powers of a nonzero element and of its inverse.
 template <class Field>
@@ -102,40 +104,69 @@ void lower_bounds(const Field& field, const Polynomial& f, const Polynomial& g,
     }
 }
 
+/// The lower degree in each variable.
+std::vector<std::uint64_t> least_degrees(const Polynomial& f, const Polynomial& g) {
+    std::vector<std::uint64_t> least(f.ring().variable_count());
+    for (std::size_t v = 0; v < least.size(); ++v)
+        least[v] = static_cast<std::uint64_t>(std::min(f.degree(v), g.degree(v)));
+    return least;
+}
+
+/// The variables in which both have positive degrees of at most max_degree.
+std::vector<std::size_t> shared_variables(const Polynomial& f, const Polynomial& g,
+                                          std::uint64_t max_degree) {
+    std::vector<std::size_t> shared;
+    for (std::size_t v = 0; v < f.ring().variable_count(); ++v) {
+        const std::int64_t degree_f = f.degree(v);
+        const std::int64_t degree_g = g.degree(v);
+        if (std::min(degree_f, degree_g) > 0 &&
+            static_cast<std::uint64_t>(std::max(degree_f, degree_g)) <= max_degree)
+            shared.push_back(v);
+    }
+    return shared;
+}
+
+bool in_one_variable(const Polynomial& f, const Polynomial& g) {
+    std::size_t occurring = 0;
+    for (std::size_t v = 0; v < f.ring().variable_count(); ++v)
+        occurring += f.degree(v) > 0 || g.degree(v) > 0 ? 1 : 0;
+    return occurring == 1;
+}
+
 } // namespace
 
 std::vector<std::uint64_t> gcd_degree_bounds(const Polynomial& f, const Polynomial& g, Random& random,
                                              base::Run& run) {
-    const std::size_t n = f.ring().variable_count();
-    std::vector<std::uint64_t> bounds(n);
-    std::vector<std::size_t> variables;
-    std::uint64_t degree_sum = 1;
-    std::size_t occurring = 0;
-    for (std::size_t v = 0; v < n; ++v) {
-        const auto degree_f = static_cast<std::uint64_t>(f.degree(v));
-        const auto degree_g = static_cast<std::uint64_t>(g.degree(v));
-        bounds[v] = std::min(degree_f, degree_g);
-        if (std::max(degree_f, degree_g) > 0) ++occurring;
-        if (bounds[v] == 0 || std::max(degree_f, degree_g) > max_image_degree) continue;
-        variables.push_back(v);
-        degree_sum += std::max(degree_f, degree_g);
-    }
-    if (occurring == 1) return bounds;
+    std::vector<std::uint64_t> bounds = least_degrees(f, g);
+    if (in_one_variable(f, g)) return bounds;
+    std::vector<std::size_t> variables = shared_variables(f, g, max_cheap_degree);
     const CoefficientField& field = f.ring().field();
+    // Two random univariate polynomials over a field of q elements have a common root in one case of q. The
+    // table of a small extension is soon made, and an unlucky image costs time only.
+    constexpr std::uint32_t enough = 97;
+    constexpr std::uint64_t small_extension = 256;
     if (field.is_rationals()) {
-        lower_bounds(PrimeField(PrimeField::max_characteristic), f, g, std::move(variables), bounds, random,
-                     run);
-        return bounds;
-    }
-    // The larger the field beside the degrees, the rarer unlucky points are.
-    const std::uint64_t wanted = 16 * degree_sum;
-    const std::uint32_t p = field.characteristic();
-    const auto extension = GaloisField::degree_for(p, wanted);
-    if (p >= wanted || !extension)
+        static const PrimeField largest(PrimeField::max_characteristic); // its primality proved once
+        lower_bounds(largest, f, g, std::move(variables), bounds, random, run);
+    } else if (field.characteristic() >= enough) {
         lower_bounds(field.prime_field(), f, g, std::move(variables), bounds, random, run);
-    else
-        lower_bounds(GaloisField(p, *extension, run), f, g, std::move(variables), bounds, random, run);
+    } else {
+        const std::uint32_t p = field.characteristic();
+        const GaloisField extension(p, *GaloisField::degree_for(p, small_extension), run);
+        lower_bounds(extension, f, g, std::move(variables), bounds, random, run);
+    }
     return bounds;
 }
+
+template <class Field>
+bool proved_coprime(const Field& field, const Polynomial& f, const Polynomial& g, Random& random,
+                    base::Run& run) {
+    std::vector<std::uint64_t> bounds = least_degrees(f, g);
+    lower_bounds(field, f, g, shared_variables(f, g, max_image_degree), bounds, random, run);
+    return std::ranges::all_of(bounds, [](std::uint64_t bound) { return bound == 0; });
+}
+
+template bool proved_coprime(const PrimeField&, const Polynomial&, const Polynomial&, Random&, base::Run&);
+template bool proved_coprime(const GaloisField&, const Polynomial&, const Polynomial&, Random&, base::Run&);
 
 } // namespace eliminant::algebra

@@ -2,6 +2,7 @@
 
 #include "chinese_remainders.hpp"
 #include "galois_field.hpp"
+#include "gcd_degrees.hpp"
 #include "gcd_methods.hpp"
 #include "gcd_problem.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 constexpr std::int64_t max_main_degree = std::int64_t{1} << 22;
 /// How often unlucky random choices are repeated before a method is given up.
 constexpr int max_failures = 6;
+constexpr int max_failures_a_field = 3;
 
 /// H from its coefficients.
 Polynomial assembled(const Ring& ring, const ImageMethod& method, const std::vector<std::size_t>& places,
@@ -40,29 +42,36 @@ struct Question {
     const Polynomial& f;
     const Polynomial& g;
     std::span<const std::uint64_t> bounds; ///< of the degrees of the gcd
+    Random& random;
     base::Run& run;
 };
 
-/// The gcd from a guess h, if the guess divides both arguments.
+bool reaches(const Polynomial& h, std::span<const std::uint64_t> bounds) {
+    for (std::size_t v = 0; v < bounds.size(); ++v) {
+        if (h.degree(v) != static_cast<std::int64_t>(bounds[v])) return false;
+    }
+    return true;
+}
+
+/// The gcd from a guess h, if h divides both arguments, with the proof that nothing greater does: its degrees
+/// reach proved bounds, or its cofactors have coprime images over the field. If neither holds, images were
+/// too small by an unlikely accident of interpolation, and h·gcd(f/h, g/h) is the answer. A constant h proves
+/// nothing then.
 ///
-/// If its degrees reach the proved bounds, or its cofactors are coprime, it is the gcd. If not, images were
-/// too small by an unlikely accident of interpolation, and h·gcd(f/h, g/h) is. In one variable nothing is
-/// interpolated: an image of the gcd divides the image found, which is as good a bound.
-std::optional<Polynomial> proved(const Polynomial& h, const Question& question) {
-    const auto& [f, g, bounds, run] = question;
+/// In one variable nothing is interpolated, and the degree of an image is as good a bound as any.
+template <class Field>
+std::optional<Polynomial> proved(const Polynomial& h, const Field& field, bool in_one_variable,
+                                 const Question& question) {
+    const auto& [f, g, bounds, random, run] = question;
     const bool f_first = f.size() <= g.size(); // a wrong guess costs least there
     const auto cofactor = try_divide(f_first ? f : g, h, run);
     if (!cofactor) return std::nullopt;
-    const auto other_cofactor = try_divide(f_first ? g : f, h, run);
-    if (!other_cofactor) return std::nullopt;
-    std::size_t occurring = 0;
-    bool reaches_bounds = true;
-    for (std::size_t v = 0; v < bounds.size(); ++v) {
-        reaches_bounds = reaches_bounds && h.degree(v) == static_cast<std::int64_t>(bounds[v]);
-        occurring += f.degree(v) > 0 || g.degree(v) > 0 ? 1 : 0;
-    }
-    if (reaches_bounds || occurring == 1) return h;
-    return multiply(h, gcd(*cofactor, *other_cofactor, run), run).primitive_part();
+    const auto other = try_divide(f_first ? g : f, h, run);
+    if (!other) return std::nullopt;
+    if (reaches(h, bounds) || in_one_variable || proved_coprime(field, *cofactor, *other, random, run))
+        return h;
+    if (h.is_constant()) return std::nullopt;
+    return multiply(h, gcd(*cofactor, *other, run), run).primitive_part();
 }
 
 /// More bits than the coefficients of H can have. By Gelfond's inequality factors of a polynomial of degrees
@@ -108,7 +117,9 @@ std::optional<Polynomial> over_rationals(ImageMethod& method, const Question& qu
         const bool enough = sum.modulus().bit_length() > enough_bits;
         if (changed && !sum.small() && !enough) continue;
         const Polynomial multiple = assembled(question.f.ring(), method, sum.places(), sum.values());
-        if (auto h = proved(method.gcd_from(multiple, question.run), question)) return h;
+        if (auto h = proved(method.gcd_from(multiple, question.run), field, method.variables().size() == 1,
+                            question))
+            return h;
         if (enough) {
             ++failures;
             start_again();
@@ -135,7 +146,7 @@ std::optional<std::vector<Integer>> prime_field_values(const GaloisField& field,
 template <class Field>
 std::optional<Polynomial> over_finite_field(const Field& field, ImageMethod& method,
                                             const Question& question) {
-    for (int failures = 0; failures < max_failures; ++failures) {
+    for (int failures = 0; failures < max_failures_a_field; ++failures) {
         question.run.poll();
         method.reset();
         const auto image = method.image(field);
@@ -143,7 +154,9 @@ std::optional<Polynomial> over_finite_field(const Field& field, ImageMethod& met
         const auto values = image ? prime_field_values(field, *image) : std::nullopt;
         if (!values) continue;
         const Polynomial multiple = assembled(question.f.ring(), method, image->places, *values);
-        if (auto h = proved(method.gcd_from(multiple, question.run), question)) return h;
+        if (auto h = proved(method.gcd_from(multiple, question.run), field, method.variables().size() == 1,
+                            question))
+            return h;
     }
     return std::nullopt;
 }
@@ -154,13 +167,12 @@ std::optional<Polynomial> over_prime_field(ImageMethod& method, const Question& 
     std::uint64_t degree_sum = 1;
     for (const std::size_t v : method.variables())
         degree_sum += static_cast<std::uint64_t>(std::max(question.f.degree(v), question.g.degree(v)));
-    // An image is unlucky with a probability of about degree²/size; points must also be distinct.
+    // Interpolation needs as many points as degrees, and an image is unlucky in one case of about q. Larger
+    // fields take longer to set up, so they come when smaller ones fail.
     const std::uint64_t enough = std::max<std::uint64_t>(4 * degree_sum, 4096);
-    const std::uint64_t comfortable =
-        std::min<std::uint64_t>(64 * degree_sum * degree_sum, std::uint64_t{1} << 18);
     const std::uint32_t p = field.characteristic();
     if (method.variables().size() == 1 || p >= enough) return over_finite_field(field, method, question);
-    for (std::uint64_t size = std::max(enough, comfortable);; size *= 16) {
+    for (std::uint64_t size = enough;; size *= 16) {
         const auto k = GaloisField::degree_for(p, size);
         if (!k) return over_finite_field(field, method, question);
         if (auto h = over_finite_field(GaloisField(p, *k, question.run), method, question)) return h;
@@ -172,8 +184,8 @@ std::optional<Polynomial> by_method(ImageMethod& method, const Question& questio
                                                     : over_prime_field(method, question);
 }
 
-std::optional<Polynomial> by_sparse(GcdProblem problem, Random& random, const Question& question) {
-    const auto& [f, g, bounds, run] = question;
+std::optional<Polynomial> by_sparse(GcdProblem problem, const Question& question) {
+    const auto& [f, g, bounds, random, run] = question;
     const auto main = std::span(problem.variables).first(1);
     const Polynomial content_f = content(f, main, run);
     const Polynomial content_g = content(g, main, run);
@@ -203,12 +215,12 @@ std::optional<Polynomial> gcd_by_images(const Polynomial& f, const Polynomial& g
     const bool can_dense = method != Interpolation::sparse && dense_fits(dense);
     const bool can_sparse = method != Interpolation::dense && sparse.variables.size() > 1 && fits(sparse);
     const bool dense_first = can_dense && (!can_sparse || dense_cost(dense) <= sparse_cost(sparse));
-    const Question question{f, g, bounds, run};
+    const Question question{f, g, bounds, random, run};
     if (dense_first) {
         if (auto h = by_method(*dense_method(dense, random, run), question)) return h;
     }
     if (can_sparse) {
-        if (auto h = by_sparse(std::move(sparse), random, question)) return h;
+        if (auto h = by_sparse(std::move(sparse), question)) return h;
     }
     if (!can_dense || dense_first) return std::nullopt;
     return by_method(*dense_method(std::move(dense), random, run), question);

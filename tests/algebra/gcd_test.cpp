@@ -98,6 +98,8 @@ TEST(Gcd, OfPthPowersInCharacteristicP) {
         EXPECT_EQ(gcd(f, g), one);
         EXPECT_EQ(gcd(f * (x + y), g * (x + y)), (x + y).monic());
         EXPECT_EQ(gcd(f * g * (x + y), f * (x + y + one)), f);
+        // Coprime, but equal at every value of y in the field.
+        EXPECT_EQ(gcd(x * x + x + one + g, x * x + x + one + g * (x + y)), one);
     }
 }
 
