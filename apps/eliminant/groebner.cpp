@@ -14,6 +14,12 @@ namespace {
 enum class Algorithm { automatic, buchberger, f4 };
 enum class Assurance { proved, probable };
 
+/// Rows and columns, null where no matrix was made.
+Json largest_matrix(const groebner::Statistics& statistics) {
+    if (statistics.matrices == 0) return nullptr;
+    return Json::array({statistics.largest_matrix_rows, statistics.largest_matrix_columns});
+}
+
 Json statistics_fields(const groebner::Statistics& statistics, double seconds) {
     return {{"pairs_treated", statistics.pairs_treated},
             {"skipped_by_product", statistics.skipped_by_product},
@@ -21,8 +27,8 @@ Json statistics_fields(const groebner::Statistics& statistics, double seconds) {
             {"skipped_by_chain_f", statistics.skipped_by_chain_f},
             {"skipped_by_chain_b", statistics.skipped_by_chain_b},
             {"zero_reductions", statistics.zero_reductions},
-            {"largest_matrix", nullptr}, // none is kept of either algorithm; neither uses primes of its own
-            {"primes_used", 0},
+            {"largest_matrix", largest_matrix(statistics)},
+            {"primes_used", 0}, // the prime of Buchberger's first pass over QQ leaves no trace in the result
             {"seconds", seconds},
             {"peak_memory", peak_memory()}};
 }
@@ -71,8 +77,13 @@ class GroebnerCommand : public Command {
     }
 
   private:
+    bool uses_f4(const Ring& ring) const {
+        return algorithm_ == Algorithm::f4 ||
+               (algorithm_ == Algorithm::automatic && !ring.field().is_rationals());
+    }
+
     GroebnerBasis compute(const System& system, Run& run) const {
-        if (algorithm_ != Algorithm::f4) return buchberger(system.ring, system.polynomials, {}, run);
+        if (!uses_f4(system.ring)) return buchberger(system.ring, system.polynomials, {}, run);
         if (system.ring.field().is_rationals())
             throw UsageError("--algorithm: f4 needs a field GF(p); over QQ this version has buchberger");
         BuchbergerOptions options;
@@ -83,7 +94,7 @@ class GroebnerCommand : public Command {
     std::string json(const Ring& ring, const GroebnerBasis& basis, double seconds) const {
         Json result = ring_fields(ring);
         result["basis"] = strings(basis.elements);
-        result["algorithm"] = algorithm_ == Algorithm::f4 ? "f4" : "buchberger";
+        result["algorithm"] = uses_f4(ring) ? "f4" : "buchberger";
         result["assurance"] = "proved";
         result["statistics"] = statistics_fields(basis.statistics, seconds);
         return to_text(result);
