@@ -121,8 +121,7 @@ template <class Field>
 DenseBox DenseGcd<Field>::at(const DenseBox& f, dense::Element point) {
     DenseBox result{{f.extents.begin(), f.extents.end() - 1}, dense::Vector(f.columns())};
     const dense::Vector powers = dense::powers(field_, point, f.extents.back());
-    for (std::size_t i = 0; i < f.columns(); ++i)
-        result.values[i] = dense::dot<Field>(field_, f.column(i), powers);
+    for (std::size_t i = 0; i < f.columns(); ++i) result.values[i] = dense::dot(field_, f.column(i), powers);
     return result;
 }
 

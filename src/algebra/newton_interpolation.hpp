@@ -29,8 +29,8 @@ class NewtonInterpolation {
         bool changed = false;
         for (std::size_t i = 0; i < values.size(); ++i) {
             const std::span<dense::Element> column = std::span(columns_).subspan(i * extent_, extent_);
-            const dense::Element gap = field.subtract(
-                field.multiply(values[i], factor), dense::dot<Field>(field, column.first(points()), powers));
+            const dense::Element gap = field.subtract(field.multiply(values[i], factor),
+                                                      dense::dot(field, column.first(points()), powers));
             if (gap == 0) continue;
             changed = true;
             dense::add_multiple<Field>(field, column, master_, field.multiply(gap, inverse));

@@ -57,7 +57,7 @@ template <class Field>
 bool SupposedTerms<Field>::solve_group(const Group& group, const Vector& samples, Vector& result) const {
     for (std::size_t i = group.first; i < group.first + group.length; ++i) {
         const Vector row = quotient(group, nodes_[i]);
-        result[i] = field_.multiply(dense::dot<Field>(field_, row, samples), denominators_[i]);
+        result[i] = field_.multiply(dense::dot(field_, row, samples), denominators_[i]);
     }
     for (std::size_t j = images_needed(); j < samples.size(); ++j) {
         Element value = 0;

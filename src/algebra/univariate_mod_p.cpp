@@ -46,29 +46,6 @@ void remainder_of_next_degree(const Field& field, Vector& a, const Vector& b) {
 } // namespace
 
 template <>
-Element dot(const PrimeField& field, std::span<const Element> a, std::span<const Element> b) {
-    const std::size_t n = std::min(a.size(), b.size());
-    // Four products of residues below 2^31 fit in 64 bits.
-    std::uint64_t sum = 0;
-    std::size_t i = 0;
-    for (; i + 3 < n; i += 3) {
-        sum += std::uint64_t{a[i]} * b[i] + std::uint64_t{a[i + 1]} * b[i + 1] +
-               std::uint64_t{a[i + 2]} * b[i + 2];
-        sum = field.reduce(sum);
-    }
-    for (; i < n; ++i) sum += std::uint64_t{a[i]} * b[i];
-    return field.reduce(sum);
-}
-
-template <>
-Element dot(const GaloisField& field, std::span<const Element> a, std::span<const Element> b) {
-    Element sum = 0;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-        sum = field.add(sum, field.multiply(a[i], b[i]));
-    return sum;
-}
-
-template <>
 void add_multiple(const PrimeField& field, std::span<Element> a, std::span<const Element> b, Element factor) {
     for (std::size_t i = 0; i < b.size(); ++i) a[i] = field.reduce(a[i] + std::uint64_t{factor} * b[i]);
 }

@@ -25,9 +25,24 @@ inline void trim(Vector& f) {
     while (!f.empty() && f.back() == 0) f.pop_back();
 }
 
-/// Σ a[i]·b[i] over the shorter length.
-template <class Field>
-Element dot(const Field& field, std::span<const Element> a, std::span<const Element> b);
+/// Σ a[i]·b[i] over the length of a; b is at least as long. Inline, for most of them are short.
+inline Element dot(const PrimeField& field, std::span<const Element> a, std::span<const Element> b) {
+    // Four products of residues below 2^31 − 1 and one more residue fit in 64 bits.
+    std::uint64_t sum = 0;
+    std::size_t i = 0;
+    for (; i + 4 < a.size(); i += 4) {
+        sum += std::uint64_t{a[i]} * b[i] + std::uint64_t{a[i + 1]} * b[i + 1] +
+               std::uint64_t{a[i + 2]} * b[i + 2] + std::uint64_t{a[i + 3]} * b[i + 3];
+        sum = field.reduce(sum);
+    }
+    for (; i < a.size(); ++i) sum += std::uint64_t{a[i]} * b[i];
+    return field.reduce(sum);
+}
+inline Element dot(const GaloisField& field, std::span<const Element> a, std::span<const Element> b) {
+    Element sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum = field.add(sum, field.multiply(a[i], b[i]));
+    return sum;
+}
 
 /// a += factor·b; a is at least as long as b.
 template <class Field>

@@ -145,6 +145,27 @@ TEST(Composition, OfARationalPolynomialMapsToAPrimeField) {
     EXPECT_THROW(compose(t.scaled(mpq_class(1, 7)), to, image, run), DomainError);
 }
 
+TEST(Evaluation, RejectsWhatHasNoValue) {
+    base::Run run;
+    const Ring ring(CoefficientField::prime(5), {"x", "y"});
+    const Polynomial x = Polynomial::variable(ring, 0);
+    EXPECT_THROW(evaluate(x, std::array<mpq_class, 1>{1}), DomainError);
+    EXPECT_THROW(evaluate(x, std::array<mpq_class, 2>{mpq_class(1, 5), 1}), DomainError);
+    EXPECT_THROW(evaluate(x, 2, mpq_class(1), run), DomainError);
+    EXPECT_THROW(evaluate(x, PrimeField(7), std::array<PrimeField::Element, 2>{1, 1}, run), DomainError);
+    EXPECT_THROW(compose(x, ring, std::array<Polynomial, 1>{x}, run), DomainError);
+    EXPECT_THROW(compose(x, Ring(CoefficientField::prime(7), {"t"}), {}, run), DomainError);
+    EXPECT_THROW(substitute(x, 2, x, run), DomainError);
+    // Powers that no memory holds, at values whose powers are trivial and at others.
+    const Ring rationals(CoefficientField::rationals(), {"x"});
+    const Polynomial high = pow(Polynomial::variable(rationals, 0), (std::uint64_t{1} << 60) + 1);
+    EXPECT_EQ(evaluate(high, std::array<mpq_class, 1>{-1}), -1);
+    EXPECT_EQ(evaluate(high, std::array<mpq_class, 1>{0}), 0);
+    EXPECT_THROW(evaluate(high, std::array<mpq_class, 1>{2}), OverflowError);
+    const std::array<Polynomial, 1> square = {pow(Polynomial::variable(rationals, 0), 16)};
+    EXPECT_THROW(compose(high, rationals, square, run), OverflowError);
+}
+
 TEST(Composition, IsStoppedByItsRun) {
     const Ring ring(CoefficientField::rationals(), {"x", "y"});
     base::Run run;

@@ -140,7 +140,7 @@ TEST(Univariate, InterpolationUndoesEvaluation) {
         for (std::uint32_t point = 0; point < count; ++point) {
             points.push_back(point);
             values.push_back(dense::evaluate<Field>(field, f, point));
-            EXPECT_EQ(values.back(), dense::dot<Field>(field, f, dense::powers(field, point, f.size())));
+            EXPECT_EQ(values.back(), dense::dot(field, f, dense::powers(field, point, f.size())));
             newton.add(point, std::span(values).last(1));
         }
         EXPECT_EQ(dense::interpolate<Field>(field, points, values), f);
