@@ -61,12 +61,13 @@ Ideal intersect(const Ideal& I, const Ideal& J, base::Run& run) {
     if (I.contains(J, run)) return J;
     if (J.contains(I, run)) return I;
     const WithParameter extended(I.ring());
-    const Polynomial complement = extended.one() - extended.t();
+    const Polynomial t = extended.t();
+    const Polynomial complement = extended.h() - t;
     std::vector<Polynomial> generators;
     for (const Polynomial& f : I.some_groebner_basis(run))
-        generators.push_back(multiply(extended.t(), extended.embed(f), run));
+        generators.push_back(multiply(t, extended.homogenized(f), run));
     for (const Polynomial& f : J.some_groebner_basis(run))
-        generators.push_back(multiply(complement, extended.embed(f), run));
+        generators.push_back(multiply(complement, extended.homogenized(f), run));
     return extended.eliminate_t(std::move(generators), run);
 }
 
@@ -134,12 +135,12 @@ bool radical_contains(const Ideal& I, const Polynomial& f, base::Run& run) {
     require_same_ring(I.ring(), f.ring(), "membership in the radical of an ideal");
     if (f.is_zero()) return true;
     if (I.is_zero()) return false;
-    const WithParameter extended(I.ring());
-    const Ring ring = extended.ring().with_order(MonomialOrder::degrevlex());
-    std::vector<Polynomial> generators;
-    for (const Polynomial& g : I.known_generators()) generators.push_back(extended.embed(g).in_ring(ring));
-    const Polynomial inverse = extended.one() - multiply(extended.t(), extended.embed(f), run);
-    generators.push_back(inverse.in_ring(ring));
+    std::vector<std::string> names = I.ring().names();
+    names.push_back(fresh_name(I.ring(), "t"));
+    const Ring ring(I.ring().field(), std::move(names));
+    std::vector<Polynomial> generators = in_ring(I.known_generators(), ring);
+    const Polynomial t = Polynomial::variable(ring, I.ring().variable_count());
+    generators.push_back(Polynomial::constant(ring, 1) - multiply(t, f.in_ring(ring), run));
     return Ideal(ring, std::move(generators)).is_unit(run);
 }
 

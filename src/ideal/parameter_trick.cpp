@@ -1,5 +1,7 @@
 #include "ideal/parameter_trick.hpp"
 
+#include "eliminant/algebra/grading.hpp"
+#include "eliminant/groebner/buchberger.hpp"
 #include "ideal/ring_change.hpp"
 
 #include <numeric>
@@ -13,32 +15,34 @@ using algebra::Ring;
 
 namespace {
 
-std::vector<std::string> with_t_in_front(const Ring& ring) {
+std::vector<std::string> with_t_and_h(const Ring& ring) {
     std::vector<std::string> names{fresh_name(ring, "t")};
     names.insert(names.end(), ring.names().begin(), ring.names().end());
+    names.push_back(fresh_name(ring, "h"));
     return names;
 }
 
 } // namespace
 
 WithParameter::WithParameter(const Ring& base)
-    : base_(base), ring_(base.field(), with_t_in_front(base), MonomialOrder::elimination({0})),
-      into_(base.variable_count()) {
-    std::iota(into_.begin(), into_.end(), std::size_t{1});
+    : base_(base), ring_(base.field(), with_t_and_h(base), MonomialOrder::elimination({0})) {}
+
+Polynomial WithParameter::homogenized(const Polynomial& f) const {
+    return homogenize(f.in_ring(ring_), last());
 }
 
 Ideal WithParameter::eliminate_t(std::vector<Polynomial> generators, base::Run& run) const {
     const MonomialOrder order = MonomialOrder::degrevlex();
     const Ring target = base_.with_order(order);
     std::vector<std::size_t> back(ring_.variable_count(), Polynomial::dropped);
-    std::iota(back.begin() + 1, back.end(), std::size_t{0});
+    std::iota(back.begin() + 1, back.end() - 1, std::size_t{0});
     std::vector<Polynomial> basis;
     for (const Polynomial& f : Ideal(ring_, std::move(generators)).groebner_basis(run)) {
-        // In this order a leading monomial free of t has no smaller monomial with t. What remains of a
-        // reduced basis is the reduced basis of the elimination ideal, in the order induced: degrevlex.
-        if (f.exponent(0, 0) == 0) basis.push_back(f.in_ring(target, back));
+        // In this order a leading monomial free of t has no smaller monomial with t. What remains is a basis
+        // of the elimination ideal in degrevlex, still one for h = 1.
+        if (f.exponent(0, 0) == 0) basis.push_back(dehomogenize(f, last()).in_ring(target, back));
     }
-    return Ideal::from_groebner_basis(base_, order, std::move(basis));
+    return Ideal::from_groebner_basis(base_, order, groebner::reduced_basis(std::move(basis), run));
 }
 
 } // namespace eliminant::ideal

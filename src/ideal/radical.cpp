@@ -6,6 +6,7 @@
 #include "eliminant/ideal/dimension.hpp"
 #include "eliminant/ideal/operations.hpp"
 #include "eliminant/ideal/zero_dimensional.hpp"
+#include "ideal/generic_fibre.hpp"
 #include "ideal/ring_change.hpp"
 
 #include <algorithm>
@@ -20,16 +21,6 @@ using algebra::Polynomial;
 using algebra::Ring;
 
 namespace {
-
-using Variables = std::vector<std::size_t>; ///< ascending indices
-
-Variables complement(const Variables& some, std::size_t variable_count) {
-    Variables rest;
-    for (std::size_t i = 0; i < variable_count; ++i) {
-        if (!std::ranges::binary_search(some, i)) rest.push_back(i);
-    }
-    return rest;
-}
 
 /// A polynomial in K[U, x] that generates the ideal of J in K(U)[x], for U independent modulo J, x a bound
 /// variable and `bound` all bound variables, finitely many of whose monomials are standard over K(U).
@@ -57,33 +48,16 @@ std::optional<Polynomial> separable_part(const Polynomial& f, std::size_t x, bas
     return part;
 }
 
-/// The coefficients in K[U] of the leading monomials in the bound variables, for a basis in a product order
-/// that puts the bound variables first. Constants are left out.
-std::vector<Polynomial> leading_coefficients(std::span<const Polynomial> basis, const Variables& bound) {
-    std::vector<Polynomial> result;
-    for (const Polynomial& f : basis) {
-        Polynomial coefficient(f.ring());
-        const auto same_power = [&](std::size_t i) {
-            return std::ranges::all_of(bound,
-                                       [&](std::size_t x) { return f.exponent(i, x) == f.exponent(0, x); });
-        };
-        for (std::size_t i = 0; i < f.size() && same_power(i); ++i) {
-            std::vector<std::uint64_t> exponents = f.monomial(i).exponents();
-            for (const std::size_t x : bound) exponents[x] = 0;
-            coefficient += Polynomial::term(algebra::Monomial(f.ring(), exponents), f.coefficient(i));
-        }
-        if (!coefficient.is_constant()) result.push_back(std::move(coefficient));
-    }
-    return result;
-}
-
 /// J·K(U)[bound] ∩ K[x]: J saturated by the leading coefficients of a Groebner basis of J over K(U), which a
 /// basis in the product order is (Becker and Weispfenning, Proposition 8.94 and Lemma 8.91). A factor is
 /// divided out once.
 Ideal contraction(Ideal J, const Variables& bound, base::Run& run) {
     const MonomialOrder order = MonomialOrder::elimination(bound);
     Polynomial done = Polynomial::constant(J.ring(), 1);
-    for (const Polynomial& c : leading_coefficients(J.groebner_basis(order, run), bound)) {
+    const std::vector<Polynomial> basis = J.groebner_basis(order, run);
+    for (const Polynomial& f : basis) {
+        const Polynomial c = leading_coefficient_over(f, bound);
+        if (c.is_constant()) continue;
         const Polynomial factors = squarefree_part(c.in_ring(J.ring()), run);
         const Polynomial fresh = divide_exactly(factors, gcd(factors, done, run), run);
         J = saturate(J, fresh, run);
@@ -94,17 +68,24 @@ Ideal contraction(Ideal J, const Variables& bound, base::Run& run) {
 
 /// The intersection of those minimal primes of J modulo which a maximal set U of variables independent modulo
 /// J is independent; nullopt where Seidenberg's lemma does not apply.
-std::optional<Ideal> top_part_of_radical(const Ideal& J, base::Run& run) {
-    const Ring& ring = J.ring();
+std::optional<Ideal> top_part_of_radical(Ideal J, base::Run& run) {
+    const Ring ring = J.ring();
     const Variables bound = complement(maximal_independent_set(J, run), ring.variable_count());
-    std::vector<Polynomial> parts;
-    for (const std::size_t x : bound) {
+    Variables unproved = bound; // variables without a separable polynomial in J·K(U)[bound] so far
+    while (!unproved.empty()) {
+        const auto suspects = suspects_of_multiplicity(J, bound, run);
+        if (suspects && suspects->empty()) break;
+        // A suspect that was dealt with has its multiple factor on this fibre only.
+        const Variables first = suspects.value_or(Variables());
+        const auto is_unproved = [&](std::size_t i) { return std::ranges::binary_search(unproved, i); };
+        const auto suspect = std::ranges::find_if(first, is_unproved);
+        const std::size_t x = suspect == first.end() ? unproved.front() : *suspect;
         auto part = separable_part(univariate_generator(J, bound, x, run), x, run);
         if (!part) return std::nullopt;
-        parts.push_back(std::move(*part));
+        J = sum(J, Ideal(ring, {std::move(*part)}));
+        std::erase(unproved, x);
     }
-    Ideal larger = sum(J, Ideal(ring, std::move(parts)));
-    return bound.size() == ring.variable_count() ? larger : contraction(std::move(larger), bound, run);
+    return bound.size() == ring.variable_count() ? J : contraction(std::move(J), bound, run);
 }
 
 /// {f : f^p ∈ I} over GF(p): the inverse image of I under x_i ↦ x_i^p, by elimination from its graph.
@@ -140,7 +121,7 @@ Ideal radical_by_frobenius(Ideal I, base::Run& run) {
 /// An element of P that is not in the radical of I, if there is one.
 const Polynomial* element_outside_radical(const Ideal& P, const Ideal& I, base::Run& run) {
     for (const Polynomial& g : P.generators()) {
-        if (!radical_contains(I, g, run)) return &g;
+        if (!I.contains(g, run) && !radical_contains(I, g, run)) return &g;
     }
     return nullptr;
 }

@@ -105,8 +105,11 @@ Ideal divide_out_common_factors(Polynomial g, const Polynomial& f, base::Run& ru
 Ideal rabinowitsch(const Ideal& I, const Polynomial& f, base::Run& run) {
     const WithParameter extended(I.ring());
     std::vector<Polynomial> generators;
-    for (const Polynomial& g : I.known_generators()) generators.push_back(extended.embed(g));
-    generators.push_back(extended.one() - multiply(extended.t(), extended.embed(f), run));
+    // Homogenised generators may have components at infinity; those of a basis in a graded order have none.
+    for (const Polynomial& g : I.some_groebner_basis(run)) generators.push_back(extended.homogenized(g));
+    const auto degree = static_cast<std::uint64_t>(f.total_degree());
+    generators.push_back(pow(extended.h(), degree + 1, run) -
+                         multiply(extended.t(), extended.homogenized(f), run));
     return extended.eliminate_t(std::move(generators), run);
 }
 
