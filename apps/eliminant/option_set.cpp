@@ -2,6 +2,8 @@
 
 #include "suggestion.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cctype>
 
@@ -13,6 +15,20 @@ std::string expected_found(std::string_view subject, std::string_view expected, 
     std::string message(subject);
     message.append(": expected ").append(expected).append(", found ").append(found);
     return message;
+}
+
+/// Put before operands that CLI11 would take for options; no argument of a sane shell begins with it.
+constexpr std::string_view protection = "\x01";
+
+std::string_view unprotected(std::string_view argument) {
+    return argument.starts_with(protection) ? argument.substr(protection.size()) : argument;
+}
+
+/// In CLI11's notation, `-o,--output`.
+std::string names(std::string_view name, char short_name) {
+    std::string text;
+    if (short_name != 0) text.append("-").append(1, short_name).append(",");
+    return text.append("--").append(name);
 }
 
 /// Calls the setter so that its complaint names the option.
@@ -32,14 +48,33 @@ void set_option(std::string_view shown, const Set& set, std::string_view value) 
 UsageError::UsageError(std::string_view subject, std::string_view expected, std::string_view found)
     : Error(expected_found(subject, expected, found)) {}
 
+OptionSet::OptionSet() : app_(std::make_unique<CLI::App>()) {
+    constexpr std::size_t explanation_column = 30;
+    app_->set_help_flag();
+    app_->get_formatter()->column_width(explanation_column);
+}
+
+OptionSet::~OptionSet() = default;
+
 void OptionSet::flag(std::string_view name, char short_name, std::string_view help, bool& target) {
-    options_.push_back(
-        {name, short_name, {}, help, heading_, [&target](std::string_view) { target = true; }});
+    app_->add_flag(names(name, short_name), target, std::string(help))
+        ->disable_flag_override()
+        ->group(heading_);
 }
 
 void OptionSet::value(std::string_view name, char short_name, std::string argument, std::string_view help,
                       Setter set) {
-    options_.push_back({name, short_name, std::move(argument), help, heading_, std::move(set)});
+    std::string shown("--");
+    shown += name;
+    app_->add_option_function<std::string>(
+            names(name, short_name),
+            [shown = std::move(shown), set = std::move(set)](const std::string& text) {
+                set_option(shown, set, unprotected(text));
+            },
+            std::string(help))
+        ->take_last()
+        ->type_name(std::move(argument))
+        ->group(heading_);
 }
 
 std::string OptionSet::joined(std::span<const std::string_view> words) {
@@ -59,127 +94,99 @@ std::size_t OptionSet::index_of(std::string_view found, std::span<const std::str
     return static_cast<std::size_t>(position - words.begin());
 }
 
-const OptionSet::Option* OptionSet::find(char short_name) const {
-    const auto position = std::find_if(options_.begin(), options_.end(), [=](const Option& option) {
-        return option.short_name != 0 && option.short_name == short_name;
-    });
-    return position == options_.end() ? nullptr : &*position;
-}
-
-const OptionSet::Option& OptionSet::find(std::string_view name) const {
-    std::vector<std::string_view> names;
-    for (const Option& option : options_) {
-        if (option.name == name) return option;
-        names.push_back(option.name);
-    }
-    std::string message = "unknown option '--" + std::string(name) + "'";
-    if (const auto meant = nearest(name, names)) message += "; did you mean '--" + std::string(*meant) + "'?";
-    throw UsageError(message);
-}
-
 /// An argument that begins with a minus is an operand if it is only that, or no option and evidently a
 /// polynomial. A bare `-x` is not: it is more often a mistyped option, and `-- -x` says the other thing.
 bool OptionSet::is_operand(std::string_view argument) const {
     if (argument.empty() || argument[0] != '-' || argument.size() == 1) return true;
     if (argument[1] == '-') return false;
-    if (const Option* option = find(argument[1])) {
+    const auto option = [this](char letter) { return app_->get_option_no_throw(std::string("-") + letter); };
+    if (const CLI::Option* first = option(argument[1])) {
         // `-o+1` is an output file; of flags, only known ones combine.
         const bool all_known = std::all_of(argument.begin() + 1, argument.end(),
-                                           [this](char letter) { return find(letter) != nullptr; });
-        if (!option->argument.empty() || all_known) return false;
+                                           [&](char letter) { return option(letter) != nullptr; });
+        if (first->get_items_expected_max() > 0 || all_known) return false;
     }
     return std::any_of(argument.begin() + 1, argument.end(),
                        [](unsigned char c) { return std::isalpha(c) == 0; });
 }
 
-std::vector<std::string> OptionSet::read(std::span<const std::string> arguments, Reading reading) const {
-    std::vector<std::string> operands;
-    for (std::size_t at = 0; at < arguments.size(); ++at) {
-        const std::string& argument = arguments[at];
-        const bool end_of_options = argument == "--";
-        if (end_of_options || (reading == Reading::to_command && is_operand(argument))) {
-            const std::size_t first = at + (end_of_options ? 1 : 0);
-            operands.insert(operands.end(), arguments.begin() + static_cast<std::ptrdiff_t>(first),
-                            arguments.end());
-            break;
-        }
-        if (is_operand(argument))
-            operands.push_back(argument);
-        else if (argument.starts_with("--"))
-            read_long(arguments, at);
-        else
-            read_short(arguments, at);
+void OptionSet::reject(std::string_view argument) const {
+    if (!argument.starts_with("--"))
+        throw UsageError("unknown option '" + std::string(argument) +
+                         "' (a polynomial that begins with a minus goes after '--')");
+    const std::string_view name = argument.substr(2, argument.find('=') - 2);
+    std::vector<std::string_view> known;
+    for (const CLI::Option* option : app_->get_options()) {
+        for (const std::string& long_name : option->get_lnames()) known.push_back(long_name);
     }
-    return operands;
+    std::string message = "unknown option '--" + std::string(name) + "'";
+    if (const auto meant = nearest(name, known)) message += "; did you mean '--" + std::string(*meant) + "'?";
+    throw UsageError(message);
 }
 
-void OptionSet::read_long(std::span<const std::string> arguments, std::size_t& at) const {
-    const std::string& argument = arguments[at];
-    const std::size_t equals = argument.find('=');
-    const std::string shown = argument.substr(0, equals);
-    const Option& option = find(std::string_view(shown).substr(2));
-
-    const bool attached = equals != std::string::npos;
-    std::string_view value;
-    if (attached) value = std::string_view(argument).substr(equals + 1);
-    if (option.argument.empty()) {
-        if (attached) throw UsageError(shown, "no value", "'" + std::string(value) + "'");
-    } else if (!attached) {
-        if (++at == arguments.size()) throw UsageError(shown, option.argument, "the end of the command line");
-        value = arguments[at];
-    }
-    set_option(shown, option.set, value);
-}
-
-void OptionSet::read_short(std::span<const std::string> arguments, std::size_t& at) const {
-    const std::string argument = arguments[at];
-    for (std::size_t i = 1; i < argument.size(); ++i) {
-        const std::string shown = std::string("-") + argument[i];
-        const Option* option = find(argument[i]);
-        if (option == nullptr)
-            throw UsageError("unknown option '" + argument +
-                             "' (a polynomial that begins with a minus goes after '--')");
-        if (option->argument.empty()) {
-            option->set({});
+std::vector<std::string> OptionSet::operands(std::span<const std::string> remaining) const {
+    std::vector<std::string> result;
+    bool options_may_follow = true;
+    for (const std::string& argument : remaining) {
+        if (options_may_follow && argument == "--") {
+            options_may_follow = false;
             continue;
         }
-        std::string value = argument.substr(i + 1);
-        if (value.empty()) {
-            if (++at == arguments.size())
-                throw UsageError(shown, option->argument, "the end of the command line");
-            value = arguments[at];
-        }
-        set_option(shown, option->set, value);
-        return;
+        if (options_may_follow && argument.size() > 1 && argument[0] == '-') reject(argument);
+        result.emplace_back(unprotected(argument));
     }
+    return result;
+}
+
+/// Throws what CLI11 says less plainly: a flag with a value, an option without its value at the end.
+void OptionSet::explain_mismatch(std::span<const std::string> arguments) const {
+    for (const std::string& argument : arguments) {
+        const std::size_t equals = argument.find('=');
+        if (equals == std::string::npos || !argument.starts_with("--")) continue;
+        const std::string name = argument.substr(0, equals);
+        const CLI::Option* option = app_->get_option_no_throw(name);
+        if (option != nullptr && option->get_items_expected_max() == 0)
+            throw UsageError(name, "no value", "'" + argument.substr(equals + 1) + "'");
+    }
+    const CLI::Option* last = arguments.empty() ? nullptr : app_->get_option_no_throw(arguments.back());
+    if (last != nullptr && last->get_items_expected_max() > 0)
+        throw UsageError(arguments.back(), last->get_type_name(), "the end of the command line");
+}
+
+std::vector<std::string> OptionSet::read(std::span<const std::string> arguments, Reading reading) {
+    app_->allow_extras(true);
+    app_->prefix_command(reading == Reading::to_command);
+    // CLI11 takes a leading minus for an option, and its arguments in reverse.
+    std::vector<std::string> reversed;
+    bool options_may_follow = true;
+    for (const std::string& argument : arguments) {
+        options_may_follow = options_may_follow && argument != "--";
+        const bool looks_like_option = options_may_follow && argument.size() > 1 && argument[0] == '-';
+        reversed.push_back(looks_like_option && is_operand(argument) ? std::string(protection) + argument
+                                                                     : argument);
+    }
+    std::ranges::reverse(reversed);
+    try {
+        app_->parse(std::move(reversed));
+    } catch (const CLI::ArgumentMismatch& error) {
+        explain_mismatch(arguments);
+        throw UsageError(error.what());
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+    std::vector<std::string> remaining = app_->remaining();
+    if (reading == Reading::all) return operands(remaining);
+    if (!remaining.empty() && remaining.front() == "--")
+        remaining.erase(remaining.begin());
+    else if (!remaining.empty() && remaining.front().starts_with('-') && remaining.front() != "-")
+        reject(remaining.front());
+    for (std::string& argument : remaining) argument = std::string(unprotected(argument));
+    return remaining;
 }
 
 std::string OptionSet::help() const {
-    // Two columns where the left one is short, otherwise the explanation goes below.
-    constexpr std::size_t explanation_column = 30;
-    std::string text;
-    std::string_view heading;
-    for (const Option& option : options_) {
-        if (option.heading != heading) {
-            heading = option.heading;
-            text.append("\n").append(heading).append(":\n");
-        }
-        std::string left = option.short_name != 0 ? std::string("  -") + option.short_name + ", " : "      ";
-        left.append("--").append(option.name);
-        if (!option.argument.empty()) left.append(" ").append(option.argument);
-        if (left.size() + 2 > explanation_column) {
-            text.append(left).append("\n");
-            left.clear();
-        }
-        left.resize(explanation_column, ' ');
-        text.append(left);
-        for (const char c : option.help) {
-            text += c;
-            if (c == '\n') text.append(explanation_column, ' ');
-        }
-        text += '\n';
-    }
-    return text;
+    const auto formatter = std::dynamic_pointer_cast<CLI::Formatter>(app_->get_formatter());
+    return formatter->make_groups(app_.get(), CLI::AppFormatMode::Normal);
 }
 
 } // namespace eliminant::app

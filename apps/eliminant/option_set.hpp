@@ -6,11 +6,16 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace eliminant::app {
 
@@ -26,7 +31,7 @@ class UsageError : public Error {
 template <class T>
 using Choices = std::vector<std::pair<std::string_view, T>>;
 
-/// The options that a command accepts, as data: one table serves reading, `--help` and spelling suggestions.
+/// The options that a command accepts: CLI11 with the errors of this program and its operands.
 ///
 /// Long options take their value as `--name VALUE` or `--name=VALUE`, short ones as `-o VALUE` or `-oVALUE`;
 /// short flags combine, `--` ends the options, the last of several wins. Everything else is an operand, also
@@ -35,6 +40,11 @@ using Choices = std::vector<std::pair<std::string_view, T>>;
 class OptionSet {
   public:
     using Setter = std::function<void(std::string_view)>;
+
+    OptionSet();
+    ~OptionSet();
+    OptionSet(const OptionSet&) = delete;
+    OptionSet& operator=(const OptionSet&) = delete;
 
     /// Options declared from here on are listed under this heading.
     void heading(std::string_view text) { heading_ = text; }
@@ -61,34 +71,24 @@ class OptionSet {
     };
     /// Reads the arguments, sets what they ask for and returns the operands.
     /// \throws UsageError for an unknown option, or one with a bad or missing value
-    std::vector<std::string> read(std::span<const std::string> arguments,
-                                  Reading reading = Reading::all) const;
+    std::vector<std::string> read(std::span<const std::string> arguments, Reading reading = Reading::all);
 
     /// The list of options for `--help`.
     std::string help() const;
 
   private:
-    struct Option {
-        std::string_view name;
-        char short_name;
-        std::string argument; ///< empty for a flag
-        std::string_view help;
-        std::string_view heading;
-        Setter set;
-    };
-
     static std::string joined(std::span<const std::string_view> words);
     /// The position of the value among the words; throws UsageError with a suggestion.
     static std::size_t index_of(std::string_view found, std::span<const std::string_view> words);
 
-    const Option* find(char short_name) const;
-    const Option& find(std::string_view name) const;
     bool is_operand(std::string_view argument) const;
-    void read_long(std::span<const std::string> arguments, std::size_t& at) const;
-    void read_short(std::span<const std::string> arguments, std::size_t& at) const;
+    [[noreturn]] void reject(std::string_view argument) const;
+    void explain_mismatch(std::span<const std::string> arguments) const;
+    /// What CLI11 did not take: operands, as they were given, and perhaps an unknown option.
+    std::vector<std::string> operands(std::span<const std::string> remaining) const;
 
-    std::string_view heading_;
-    std::vector<Option> options_;
+    std::string heading_;
+    std::unique_ptr<CLI::App> app_;
 };
 
 } // namespace eliminant::app

@@ -61,7 +61,7 @@ TEST(Output, NamesWhatCannotBeWritten) {
                  scratch.path("no/basis") + ": no such directory '" + scratch.path("no") + "'");
     const std::string file = scratch.write("file", "old\n");
     expect_error_with(run({"groebner", "x", "-o", file + "/basis"}), 2, file + "/basis: ");
-    expect_error(run({"groebner", "x", "-o", ""}), 2, "-o: expected the name of a file, found ''");
+    expect_error(run({"groebner", "x", "-o", ""}), 2, "--output: expected the name of a file, found ''");
 }
 
 TEST(Output, RespectsWriteProtection) {
