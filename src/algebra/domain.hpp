@@ -8,8 +8,8 @@
 
 namespace eliminant::algebra {
 
-/// Coefficient arithmetic of the term kernels, one type per kind of coefficient, so that a kernel is written once
-/// and compiled for each. ℤ stands for ℚ: kernels work on numerators over a common denominator.
+/// Coefficient arithmetic of the term kernels, one type per kind of coefficient, so that a kernel is written
+/// once and compiled for each. ℤ stands for ℚ: kernels work on numerators over a common denominator.
 struct IntegerDomain {
     using Element = Integer;
     static constexpr bool is_field = false;
@@ -22,7 +22,9 @@ struct IntegerDomain {
     static void add_to(Integer& a, const Integer& b) { a += b; }
     static void subtract_from(Integer& a, const Integer& b) { a -= b; }
     static void add_product(Integer& sum, const Integer& a, const Integer& b) { sum.add_product(a, b); }
-    static void subtract_product(Integer& sum, const Integer& a, const Integer& b) { sum.subtract_product(a, b); }
+    static void subtract_product(Integer& sum, const Integer& a, const Integer& b) {
+        sum.subtract_product(a, b);
+    }
 };
 
 struct PrimeDomain {

@@ -95,8 +95,10 @@ void Integer::set_wide_slow(base::Int128 value) {
     mpz_t view;
     const mp_size_t size = limbs[1] != 0 ? 2 : 1;
     mpz_srcptr source = mpz_roinit_n(view, limbs, negative ? -size : size);
-    if (is_small()) word_ = reinterpret_cast<std::int64_t>(new mpz_class(source)) + 1;
-    else mpz_set(large().get_mpz_t(), source);
+    if (is_small())
+        word_ = reinterpret_cast<std::int64_t>(new mpz_class(source)) + 1;
+    else
+        mpz_set(large().get_mpz_t(), source);
 }
 
 void Integer::add_slow(const Integer& other) {

@@ -11,7 +11,8 @@ namespace {
 
 constexpr unsigned widths[] = {8, 16, 32, 64};
 
-std::vector<std::uint64_t> combine(const Monomial& a, const Monomial& b, const char* doing, auto&& operation) {
+std::vector<std::uint64_t> combine(const Monomial& a, const Monomial& b, const char* doing,
+                                   auto&& operation) {
     require_same_ring(a.ring(), b.ring(), doing);
     std::vector<std::uint64_t> result = a.exponents();
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = operation(result[i], b.exponent(i));
@@ -20,12 +21,15 @@ std::vector<std::uint64_t> combine(const Monomial& a, const Monomial& b, const c
 
 } // namespace
 
-Monomial::Monomial(Ring ring) : ring_(std::move(ring)), layout_(&ring_.layout(8)), words_(layout_->words(), 0) {}
+Monomial::Monomial(Ring ring)
+    : ring_(std::move(ring)), layout_(&ring_.layout(8)), words_(layout_->words(), 0) {}
 
-Monomial::Monomial(Ring ring, std::span<const std::uint64_t> exponents) : ring_(std::move(ring)), layout_(nullptr) {
+Monomial::Monomial(Ring ring, std::span<const std::uint64_t> exponents)
+    : ring_(std::move(ring)), layout_(nullptr) {
     if (exponents.size() != ring_.variable_count())
-        throw DomainError("a monomial of " + ring_.to_string() + " has " + std::to_string(ring_.variable_count()) +
-                          " exponents, found " + std::to_string(exponents.size()));
+        throw DomainError("a monomial of " + ring_.to_string() + " has " +
+                          std::to_string(ring_.variable_count()) + " exponents, found " +
+                          std::to_string(exponents.size()));
     for (const unsigned bits : widths) {
         layout_ = &ring_.layout(bits);
         words_.resize(layout_->words());
@@ -63,7 +67,8 @@ Monomial operator*(const Monomial& a, const Monomial& b) {
 }
 
 Monomial operator/(const Monomial& a, const Monomial& b) {
-    if (!b.divides(a)) throw DomainError("the monomial " + b.to_string() + " does not divide " + a.to_string());
+    if (!b.divides(a))
+        throw DomainError("the monomial " + b.to_string() + " does not divide " + a.to_string());
     return {a.ring_, combine(a, b, "quotient of monomials", std::minus<>())};
 }
 

@@ -22,8 +22,10 @@ Key unit_key(std::size_t variable_count, std::size_t index, bool reversed) {
     return key;
 }
 
-/// Degree of the listed variables, then reverse lex among them. The first variable's exponent is what remains.
-void append_degrevlex(std::vector<Key>& keys, std::size_t variable_count, std::span<const std::size_t> block) {
+/// Degree of the listed variables, then reverse lex among them. The first variable's exponent is what
+/// remains.
+void append_degrevlex(std::vector<Key>& keys, std::size_t variable_count,
+                      std::span<const std::size_t> block) {
     Key degree{std::vector<std::uint64_t>(variable_count, 0), false};
     for (const std::size_t index : block) degree.weights[index] = 1;
     keys.push_back(std::move(degree));
@@ -84,7 +86,8 @@ std::vector<Key> matrix_keys(const std::vector<std::vector<std::int64_t>>& rows,
                                   " once its rows are made non-negative; the limit is 2^31");
             key.weights.push_back(entry.get_ui());
         }
-        for (std::size_t j = 0; j < variable_count; ++j) column_sums[j] += static_cast<unsigned long>(key.weights[j]);
+        for (std::size_t j = 0; j < variable_count; ++j)
+            column_sums[j] += static_cast<unsigned long>(key.weights[j]);
         keys.push_back(std::move(key));
     }
     return keys;
@@ -101,9 +104,10 @@ MonomialOrder MonomialOrder::weighted(std::vector<std::uint64_t> weights, TieBre
         if (weights[i] > max_weight)
             throw DomainError("weight " + std::to_string(i + 1) + " of the order exceeds 2^31");
         if (weights[i] == 0 && tie_break == TieBreak::revlex)
-            throw DomainError("weight " + std::to_string(i + 1) +
-                              " of the order is 0: with the tie-break revlex 1 would be larger than that variable, "
-                              "so the order is not admissible");
+            throw DomainError(
+                "weight " + std::to_string(i + 1) +
+                " of the order is 0: with the tie-break revlex 1 would be larger than that variable, "
+                "so the order is not admissible");
     }
     MonomialOrder order(Kind::weighted);
     order.weights_ = std::move(weights);
@@ -136,13 +140,14 @@ MonomialOrder MonomialOrder::matrix(std::vector<std::vector<std::int64_t>> rows)
     for (std::size_t j = 0; j < columns; ++j) {
         const auto first = std::ranges::find_if(rows, [j](const auto& row) { return row[j] != 0; });
         if (first == rows.end() || (*first)[j] < 0)
-            throw DomainError("the order matrix is not admissible: the first nonzero entry of column " +
-                              std::to_string(j + 1) + " is " +
-                              (first == rows.end() ? "missing" : "negative, so 1 would be larger than that variable"));
+            throw DomainError(
+                "the order matrix is not admissible: the first nonzero entry of column " +
+                std::to_string(j + 1) + " is " +
+                (first == rows.end() ? "missing" : "negative, so 1 would be larger than that variable"));
     }
     if (rank_of(rows) < columns)
-        throw DomainError("the order matrix is not admissible: its rank is less than its " + std::to_string(columns) +
-                          " columns, so distinct monomials would compare equal");
+        throw DomainError("the order matrix is not admissible: its rank is less than its " +
+                          std::to_string(columns) + " columns, so distinct monomials would compare equal");
     MonomialOrder order(Kind::matrix);
     order.rows_ = std::move(rows);
     return order;
@@ -158,7 +163,8 @@ void MonomialOrder::check(std::size_t variable_count) const {
     if (kind_ == Kind::matrix) expect(rows_.front().size(), "matrix columns");
     for (const auto& block : blocks_) {
         for (const std::size_t index : block) {
-            if (index >= variable_count) throw DomainError("the order names a variable that the ring does not have");
+            if (index >= variable_count)
+                throw DomainError("the order names a variable that the ring does not have");
         }
     }
 }
@@ -168,7 +174,9 @@ std::vector<MonomialOrder::Key> MonomialOrder::keys(std::size_t variable_count) 
     std::vector<Key> keys;
     const std::vector<std::size_t> all = indices_below(variable_count);
     switch (kind_) {
-    case Kind::lex: append_lex(keys, variable_count); break;
+    case Kind::lex:
+        append_lex(keys, variable_count);
+        break;
     case Kind::deglex:
         keys.push_back({std::vector<std::uint64_t>(variable_count, 1), false});
         append_lex(keys, variable_count);
@@ -194,7 +202,9 @@ std::vector<MonomialOrder::Key> MonomialOrder::keys(std::size_t variable_count) 
         if (!rest.empty()) append_degrevlex(keys, variable_count, rest);
         break;
     }
-    case Kind::matrix: keys = matrix_keys(rows_, variable_count); break;
+    case Kind::matrix:
+        keys = matrix_keys(rows_, variable_count);
+        break;
     }
     return keys;
 }
@@ -209,9 +219,12 @@ std::string MonomialOrder::to_string(std::span<const std::string> names) const {
     };
     const auto number = [&text](auto value) { text += std::to_string(value); };
     switch (kind_) {
-    case Kind::lex: return "lex";
-    case Kind::deglex: return "deglex";
-    case Kind::degrevlex: return "degrevlex";
+    case Kind::lex:
+        return "lex";
+    case Kind::deglex:
+        return "deglex";
+    case Kind::degrevlex:
+        return "degrevlex";
     case Kind::weighted:
         text = "weight(";
         join(weights_, number);

@@ -62,7 +62,9 @@ Polynomial Polynomial::from_terms(Ring ring, ResidueTerms terms) {
     return {std::move(ring), std::move(terms), Integer(1)};
 }
 
-Polynomial Polynomial::constant(const Ring& ring, const mpq_class& value) { return term(Monomial(ring), value); }
+Polynomial Polynomial::constant(const Ring& ring, const mpq_class& value) {
+    return term(Monomial(ring), value);
+}
 
 Polynomial Polynomial::variable(const Ring& ring, std::size_t index) {
     std::vector<std::uint64_t> exponents(ring.variable_count(), 0);
@@ -116,8 +118,10 @@ mpq_class Polynomial::coefficient_of(const Monomial& monomial) const {
         const std::size_t middle = low + (high - low) / 2;
         const int side = layout().compare(packed_monomial(middle), wanted.data());
         if (side == 0) return coefficient(middle);
-        if (side > 0) low = middle + 1;
-        else high = middle;
+        if (side > 0)
+            low = middle + 1;
+        else
+            high = middle;
     }
     return 0;
 }
@@ -157,13 +161,15 @@ std::int64_t Polynomial::total_degree() const {
 
 std::int64_t Polynomial::degree(std::size_t variable) const {
     std::int64_t degree = -1;
-    for (std::size_t i = 0; i < size(); ++i) degree = std::max(degree, static_cast<std::int64_t>(exponent(i, variable)));
+    for (std::size_t i = 0; i < size(); ++i)
+        degree = std::max(degree, static_cast<std::int64_t>(exponent(i, variable)));
     return degree;
 }
 
 bool Polynomial::is_homogeneous() const {
     for (std::size_t i = 1; i < size(); ++i) {
-        if (layout().total_degree(packed_monomial(i)) != layout().total_degree(packed_monomial(0))) return false;
+        if (layout().total_degree(packed_monomial(i)) != layout().total_degree(packed_monomial(0)))
+            return false;
     }
     return true;
 }
@@ -173,7 +179,8 @@ Polynomial Polynomial::operator-() const {
     if (auto* terms = std::get_if<IntegerTerms>(&result.terms_)) {
         for (Integer& c : terms->coefficients) c.negate();
     } else {
-        for (auto& c : std::get<ResidueTerms>(result.terms_).coefficients) c = ring_.field().prime_field().negate(c);
+        for (auto& c : std::get<ResidueTerms>(result.terms_).coefficients)
+            c = ring_.field().prime_field().negate(c);
     }
     return result;
 }
@@ -181,7 +188,8 @@ Polynomial Polynomial::operator-() const {
 Polynomial Polynomial::combine(const Polynomial& a, const Polynomial& b, bool subtract) {
     require_same_ring(a.ring_, b.ring_, subtract ? "difference of polynomials" : "sum of polynomials");
     const MonomialLayout& layout = a.ring_.layout(std::max(a.layout().bits(), b.layout().bits()));
-    const auto merge = [&](const auto& domain, const auto& left, const auto& ca, const auto& right, const auto& cb) {
+    const auto merge = [&](const auto& domain, const auto& left, const auto& ca, const auto& right,
+                           const auto& cb) {
         std::decay_t<decltype(std::optional(left))> left_storage;
         std::decay_t<decltype(std::optional(right))> right_storage;
         auto sum = linear_combination(domain, in_layout(left, layout, left_storage), ca,
@@ -192,7 +200,8 @@ Polynomial Polynomial::combine(const Polynomial& a, const Polynomial& b, bool su
     if (!a.ring_.field().is_rationals()) {
         const PrimeDomain domain{a.ring_.field().prime_field()};
         const std::uint32_t sign = subtract ? domain.negate(1) : 1;
-        return from_terms(a.ring_, merge(domain, a.residue_terms(), std::uint32_t{1}, b.residue_terms(), sign));
+        return from_terms(a.ring_,
+                          merge(domain, a.residue_terms(), std::uint32_t{1}, b.residue_terms(), sign));
     }
     const Integer common = lcm(a.denominator_, b.denominator_);
     Integer ca = common;
@@ -214,7 +223,8 @@ bool operator==(const Polynomial& a, const Polynomial& b) {
         std::decay_t<decltype(std::optional(left))> left_storage;
         std::decay_t<decltype(std::optional(right))> right_storage;
         return left.coefficients == right.coefficients &&
-               in_layout(left, layout, left_storage).monomials == in_layout(right, layout, right_storage).monomials;
+               in_layout(left, layout, left_storage).monomials ==
+                   in_layout(right, layout, right_storage).monomials;
     };
     if (a.ring_.field().is_rationals()) return equal(a.integer_terms(), b.integer_terms());
     return equal(a.residue_terms(), b.residue_terms());
@@ -266,7 +276,8 @@ mpq_class Polynomial::content() const {
 Polynomial Polynomial::in_ring(const Ring& target, std::span<const std::size_t> variable_map) const {
     const CoefficientField& from = ring_.field();
     if (!from.is_rationals() && !(from == target.field()))
-        throw DomainError("coefficients of " + from.to_string() + " have no image in " + target.field().to_string());
+        throw DomainError("coefficients of " + from.to_string() + " have no image in " +
+                          target.field().to_string());
     const std::size_t n = ring_.variable_count();
     std::vector<std::uint64_t> source(n);
     std::vector<std::uint64_t> image(target.variable_count());
@@ -277,18 +288,22 @@ Polynomial Polynomial::in_ring(const Ring& target, std::span<const std::size_t> 
         for (std::size_t v = 0; v < n; ++v) {
             if (source[v] == 0) continue;
             if (variable_map[v] == dropped)
-                throw DomainError("the variable '" + ring_.names()[v] + "' has no image in " + target.to_string());
+                throw DomainError("the variable '" + ring_.names()[v] + "' has no image in " +
+                                  target.to_string());
             image[variable_map[v]] += source[v];
         }
-        if (from.is_rationals()) builder.add(integer_terms().coefficients[i], denominator_, image);
-        else builder.add(Integer(residue_terms().coefficients[i]), image);
+        if (from.is_rationals())
+            builder.add(integer_terms().coefficients[i], denominator_, image);
+        else
+            builder.add(Integer(residue_terms().coefficients[i]), image);
     }
     return builder.build();
 }
 
 Polynomial Polynomial::in_ring(const Ring& target) const {
     std::vector<std::size_t> variable_map;
-    for (const std::string& name : ring_.names()) variable_map.push_back(target.index_of(name).value_or(dropped));
+    for (const std::string& name : ring_.names())
+        variable_map.push_back(target.index_of(name).value_or(dropped));
     return in_ring(target, variable_map);
 }
 

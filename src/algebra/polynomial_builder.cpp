@@ -6,7 +6,8 @@
 
 namespace eliminant::algebra {
 
-PolynomialBuilder::PolynomialBuilder(Ring ring) : ring_(std::move(ring)), terms_(IntegerTerms(ring_.layout(8))) {
+PolynomialBuilder::PolynomialBuilder(Ring ring)
+    : ring_(std::move(ring)), terms_(IntegerTerms(ring_.layout(8))) {
     if (!ring_.field().is_rationals()) terms_ = ResidueTerms(ring_.layout(8));
     scratch_.resize(ring_.layout(64).words());
 }
@@ -19,7 +20,8 @@ void PolynomialBuilder::widen() {
     std::visit(
         [this](auto& terms) {
             // The 64-bit layout is the last resort; what does not fit there is an overflow.
-            const std::uint64_t next = terms.layout->bits() == 64 ? ~std::uint64_t{0} : terms.layout->max_field() + 1;
+            const std::uint64_t next =
+                terms.layout->bits() == 64 ? ~std::uint64_t{0} : terms.layout->max_field() + 1;
             terms = *repacked(terms, ring_.layout_for(next));
         },
         terms_);
@@ -31,8 +33,9 @@ void PolynomialBuilder::add(const Integer& numerator, const Integer& denominator
     while (!std::visit(encode, terms_)) widen();
     if (auto* residues = std::get_if<ResidueTerms>(&terms_)) {
         const PrimeField& field = ring_.field().prime_field();
-        residues->push_back(scratch_.data(), denominator.is_one() ? field.from_integer(numerator)
-                                                                  : field.from_fraction(numerator, denominator));
+        residues->push_back(scratch_.data(), denominator.is_one()
+                                                 ? field.from_integer(numerator)
+                                                 : field.from_fraction(numerator, denominator));
         return;
     }
     auto& terms = std::get<IntegerTerms>(terms_);

@@ -16,14 +16,18 @@ struct Ring::Data {
     std::unordered_map<std::string_view, std::size_t> indices; ///< views into names
     std::array<MonomialLayout, 4> layouts;                     ///< 8, 16, 32, 64 bits a field
 
-    Data(CoefficientField f, std::vector<std::string> n, MonomialOrder o, const std::vector<MonomialOrder::Key>& keys)
-        : field(std::move(f)), names(std::move(n)), order(std::move(o)),
-          layouts{MonomialLayout(keys, names.size(), 8), MonomialLayout(keys, names.size(), 16),
-                  MonomialLayout(keys, names.size(), 32), MonomialLayout(keys, names.size(), 64)} {
+    Data(CoefficientField f, std::vector<std::string> n, MonomialOrder o,
+         const std::vector<MonomialOrder::Key>& keys)
+        : field(std::move(f)), names(std::move(n)),
+          order(std::move(o)), layouts{MonomialLayout(keys, names.size(), 8),
+                                       MonomialLayout(keys, names.size(), 16),
+                                       MonomialLayout(keys, names.size(), 32),
+                                       MonomialLayout(keys, names.size(), 64)} {
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (!is_identifier(names[i]))
-                throw DomainError("a variable name is a letter followed by letters, digits and underscores, found '" +
-                                  names[i] + "'");
+                throw DomainError(
+                    "a variable name is a letter followed by letters, digits and underscores, found '" +
+                    names[i] + "'");
             if (!indices.emplace(names[i], i).second)
                 throw DomainError("the variable name '" + names[i] + "' occurs twice");
         }
@@ -82,8 +86,8 @@ bool operator==(const Ring& a, const Ring& b) {
 
 void require_same_ring(const Ring& a, const Ring& b, std::string_view doing) {
     if (a == b) return;
-    throw RingMismatchError(std::string(doing) + ": the operands are of different rings, " + a.to_string() + " and " +
-                            b.to_string());
+    throw RingMismatchError(std::string(doing) + ": the operands are of different rings, " + a.to_string() +
+                            " and " + b.to_string());
 }
 
 } // namespace eliminant::algebra

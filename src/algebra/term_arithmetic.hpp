@@ -28,11 +28,10 @@ std::optional<TermList<Element>> repacked(const TermList<Element>& terms, const 
 
 /// a·ca + b·cb by merging; both in one layout.
 template <class Domain>
-TermList<typename Domain::Element> linear_combination(const Domain& domain,
-                                                      const TermList<typename Domain::Element>& a,
-                                                      const typename Domain::Element& ca,
-                                                      const TermList<typename Domain::Element>& b,
-                                                      const typename Domain::Element& cb) {
+TermList<typename Domain::Element>
+linear_combination(const Domain& domain, const TermList<typename Domain::Element>& a,
+                   const typename Domain::Element& ca, const TermList<typename Domain::Element>& b,
+                   const typename Domain::Element& cb) {
     using Element = typename Domain::Element;
     const MonomialLayout& layout = *a.layout;
     const bool scale_a = !Domain::is_one(ca);
@@ -42,12 +41,16 @@ TermList<typename Domain::Element> linear_combination(const Domain& domain,
     std::size_t i = 0;
     std::size_t j = 0;
     while (i < a.size() || j < b.size()) {
-        const int side = i == a.size() ? -1 : j == b.size() ? 1 : layout.compare(a.monomial(i), b.monomial(j));
+        const int side = i == a.size()   ? -1
+                         : j == b.size() ? 1
+                                         : layout.compare(a.monomial(i), b.monomial(j));
         if (side > 0) {
-            result.push_back(a.monomial(i), scale_a ? domain.multiply(a.coefficients[i], ca) : a.coefficients[i]);
+            result.push_back(a.monomial(i),
+                             scale_a ? domain.multiply(a.coefficients[i], ca) : a.coefficients[i]);
             ++i;
         } else if (side < 0) {
-            result.push_back(b.monomial(j), scale_b ? domain.multiply(b.coefficients[j], cb) : b.coefficients[j]);
+            result.push_back(b.monomial(j),
+                             scale_b ? domain.multiply(b.coefficients[j], cb) : b.coefficients[j]);
             ++j;
         } else {
             Element sum = scale_a ? domain.multiply(a.coefficients[i], ca) : a.coefficients[i];
@@ -62,7 +65,8 @@ TermList<typename Domain::Element> linear_combination(const Domain& domain,
 
 /// Sorts arbitrary terms into decreasing order, adds up equal monomials and drops zeros.
 template <class Domain>
-TermList<typename Domain::Element> sorted_terms(const Domain& domain, TermList<typename Domain::Element> terms) {
+TermList<typename Domain::Element> sorted_terms(const Domain& domain,
+                                                TermList<typename Domain::Element> terms) {
     using Element = typename Domain::Element;
     const MonomialLayout& layout = *terms.layout;
     bool strictly_decreasing = true;
@@ -88,7 +92,9 @@ TermList<typename Domain::Element> sorted_terms(const Domain& domain, TermList<t
     for (std::size_t k = 0; k < permutation.size();) {
         const std::size_t first = permutation[k];
         Element sum = std::move(terms.coefficients[first]);
-        for (++k; k < permutation.size() && layout.equal(terms.monomial(first), terms.monomial(permutation[k])); ++k)
+        for (++k;
+             k < permutation.size() && layout.equal(terms.monomial(first), terms.monomial(permutation[k]));
+             ++k)
             domain.add_to(sum, terms.coefficients[permutation[k]]);
         if (!Domain::is_zero(sum)) result.push_back(terms.monomial(first), std::move(sum));
     }

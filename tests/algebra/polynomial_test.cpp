@@ -11,8 +11,8 @@ namespace {
 std::vector<Ring> sample_rings() {
     const std::vector<std::string> names = {"x", "y", "z"};
     std::vector<Ring> rings;
-    for (const auto& field : {CoefficientField::rationals(), CoefficientField::prime(2), CoefficientField::prime(101),
-                              CoefficientField::prime(2147483647)}) {
+    for (const auto& field : {CoefficientField::rationals(), CoefficientField::prime(2),
+                              CoefficientField::prime(101), CoefficientField::prime(2147483647)}) {
         rings.emplace_back(field, names, MonomialOrder::lex());
         rings.emplace_back(field, names, MonomialOrder::deglex());
         rings.emplace_back(field, names, MonomialOrder::degrevlex());
@@ -24,14 +24,16 @@ std::vector<Ring> sample_rings() {
     return rings;
 }
 
-Polynomial random_polynomial(const Ring& ring, std::mt19937_64& random, std::size_t terms, std::uint64_t max_degree) {
+Polynomial random_polynomial(const Ring& ring, std::mt19937_64& random, std::size_t terms,
+                             std::uint64_t max_degree) {
     PolynomialBuilder builder(ring);
     std::vector<std::uint64_t> exponents(ring.variable_count());
     for (std::size_t i = 0; i < terms; ++i) {
         for (auto& e : exponents) e = random() % (max_degree + 1);
         const auto numerator = static_cast<std::int64_t>(random() % 41) - 20;
         const bool fraction = ring.field().is_rationals() && random() % 4 == 0;
-        builder.add(Integer(numerator), Integer(fraction ? 1 + static_cast<std::int64_t>(random() % 9) : 1), exponents);
+        builder.add(Integer(numerator), Integer(fraction ? 1 + static_cast<std::int64_t>(random() % 9) : 1),
+                    exponents);
     }
     return builder.build();
 }
@@ -58,7 +60,8 @@ TEST(Polynomial, KeepsItsTermsStrictlyDecreasing) {
     std::mt19937_64 random(2);
     for (const Ring& ring : sample_rings()) {
         const Polynomial f = random_polynomial(ring, random, 30, 9) * random_polynomial(ring, random, 30, 9);
-        for (std::size_t i = 1; i < f.size(); ++i) EXPECT_GT(f.monomial(i - 1), f.monomial(i)) << ring.to_string();
+        for (std::size_t i = 1; i < f.size(); ++i)
+            EXPECT_GT(f.monomial(i - 1), f.monomial(i)) << ring.to_string();
     }
 }
 
@@ -78,7 +81,8 @@ TEST(Polynomial, DividesWithTheTextbookIdentity) {
         EXPECT_EQ(sum, f) << ring.to_string();
         for (std::size_t i = 0; i < division.remainder.size(); ++i) {
             for (const Polynomial& g : divisors)
-                EXPECT_FALSE(g.leading_monomial().divides(division.remainder.monomial(i))) << ring.to_string();
+                EXPECT_FALSE(g.leading_monomial().divides(division.remainder.monomial(i)))
+                    << ring.to_string();
         }
     }
 }

@@ -31,9 +31,10 @@ struct Division {
     Polynomial remainder;
 };
 
-/// f = Σ quotients[i]·divisors[i] + remainder, where no term of the remainder is divisible by any lt(divisors[i])
-/// and lm(quotients[i]·divisors[i]) ≤ lm(f). In each step the first divisor whose leading term divides is used
-/// (Cox, Little, O'Shea, Ideals, Varieties, and Algorithms, §2.3). Throws DomainError for a zero divisor.
+/// f = Σ quotients[i]·divisors[i] + remainder, where no term of the remainder is divisible by any
+/// lt(divisors[i]) and lm(quotients[i]·divisors[i]) ≤ lm(f). In each step the first divisor whose leading
+/// term divides is used (Cox, Little, O'Shea, Ideals, Varieties, and Algorithms, §2.3). Throws DomainError
+/// for a zero divisor.
 Division divide(const Polynomial& f, std::span<const Polynomial> divisors, base::Run& run);
 
 /// The remainder of divide() alone.

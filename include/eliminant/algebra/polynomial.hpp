@@ -17,12 +17,13 @@ namespace eliminant::algebra {
 
 /// A polynomial: terms strictly decreasing in its ring's order, no zero coefficients; a value.
 ///
-/// Over ℚ it is stored as an integer polynomial over one positive denominator that is coprime to the content, the
-/// form in which all algorithms work; over GF(p) as residues. A coefficient is presented as a rational either way
-/// (a residue as the integer in [0, p)).
+/// Over ℚ it is stored as an integer polynomial over one positive denominator that is coprime to the content,
+/// the form in which all algorithms work; over GF(p) as residues. A coefficient is presented as a rational
+/// either way (a residue as the integer in [0, p)).
 ///
-/// Operations on polynomials of different rings throw RingMismatchError; exponents from 2^63 on OverflowError.
-/// The operators run to completion; long work has a named form that takes a Run (arithmetic.hpp).
+/// Operations on polynomials of different rings throw RingMismatchError; exponents from 2^63 on
+/// OverflowError. The operators run to completion; long work has a named form that takes a Run
+/// (arithmetic.hpp).
 class Polynomial {
   public:
     /// Zero.
@@ -81,12 +82,13 @@ class Polynomial {
     /// Over ℚ the primitive integer polynomial with positive leading coefficient of which *this is a rational
     /// multiple; over GF(p) monic(). 0 stays 0.
     Polynomial primitive_part() const;
-    /// The rational c > 0 with *this = ± c · primitive_part() over ℚ; the leading coefficient over GF(p); 0 for 0.
+    /// The rational c > 0 with *this = ± c · primitive_part() over ℚ; the leading coefficient over GF(p); 0
+    /// for 0.
     mpq_class content() const;
 
-    /// The image in `target` under variable i ↦ target variable variable_map[i]. Coefficients are mapped (ℚ to GF(p)
-    /// throws DomainError where p divides the denominator; GF(p) to another field is a DomainError). A variable
-    /// mapped to `dropped` must not occur (DomainError). O(n log n) for n terms.
+    /// The image in `target` under variable i ↦ target variable variable_map[i]. Coefficients are mapped (ℚ
+    /// to GF(p) throws DomainError where p divides the denominator; GF(p) to another field is a DomainError).
+    /// A variable mapped to `dropped` must not occur (DomainError). O(n log n) for n terms.
     Polynomial in_ring(const Ring& target, std::span<const std::size_t> variable_map) const;
     /// The same, variables matched by name; names that occur in *this must exist in `target`.
     Polynomial in_ring(const Ring& target) const;
@@ -121,8 +123,8 @@ class Polynomial {
 class PolynomialBuilder {
   public:
     explicit PolynomialBuilder(Ring ring);
-    /// Over ℚ adds numerator/denominator · monomial; denominator is not zero. Over GF(p) its image (DomainError where
-    /// p divides the denominator). One exponent a variable.
+    /// Over ℚ adds numerator/denominator · monomial; denominator is not zero. Over GF(p) its image
+    /// (DomainError where p divides the denominator). One exponent a variable.
     void add(const Integer& numerator, const Integer& denominator, std::span<const std::uint64_t> exponents);
     void add(const Integer& coefficient, std::span<const std::uint64_t> exponents) {
         add(coefficient, Integer(1), exponents);

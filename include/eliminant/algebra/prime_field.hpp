@@ -15,8 +15,8 @@ std::uint64_t previous_prime(std::uint64_t bound);
 
 /// Arithmetic of GF(p) for a prime p < 2^31, on residues in [0, p) held in 32 bits.
 ///
-/// Products of two residues stay below 2^62, so a kernel may add four of them in an unsigned 64-bit word before
-/// it reduces. reduce() is Barrett's method with a 64-bit reciprocal: one high multiplication and one
+/// Products of two residues stay below 2^62, so a kernel may add four of them in an unsigned 64-bit word
+/// before it reduces. reduce() is Barrett's method with a 64-bit reciprocal: one high multiplication and one
 /// correction, 3–4 times faster than the division instruction.
 class PrimeField {
   public:

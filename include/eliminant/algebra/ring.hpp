@@ -42,13 +42,15 @@ class CoefficientField {
 
 /// A polynomial ring: coefficient field, variable names and monomial order; an immutable shared value.
 ///
-/// Copies share one description, so copying and comparing rings is cheap. Two rings are equal if their fields,
-/// names and orders are, no matter where they were made.
+/// Copies share one description, so copying and comparing rings is cheap. Two rings are equal if their
+/// fields, names and orders are, no matter where they were made.
 class Ring {
   public:
-    /// Names are distinct identifiers: a letter, then letters, digits and underscores. Any number of variables,
-    /// also none. Throws DomainError for a bad name, a repeated name or an order that does not fit.
-    Ring(CoefficientField field, std::vector<std::string> names, MonomialOrder order = MonomialOrder::degrevlex());
+    /// Names are distinct identifiers: a letter, then letters, digits and underscores. Any number of
+    /// variables, also none. Throws DomainError for a bad name, a repeated name or an order that does not
+    /// fit.
+    Ring(CoefficientField field, std::vector<std::string> names,
+         MonomialOrder order = MonomialOrder::degrevlex());
 
     const CoefficientField& field() const;
     const MonomialOrder& order() const;

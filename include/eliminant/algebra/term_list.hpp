@@ -10,11 +10,11 @@
 
 namespace eliminant::algebra {
 
-/// The terms of a polynomial in two parallel arrays, strictly decreasing in the order of `layout`, without zero
-/// coefficients. Element is Integer (over ℚ, up to a common denominator) or a residue of GF(p).
+/// The terms of a polynomial in two parallel arrays, strictly decreasing in the order of `layout`, without
+/// zero coefficients. Element is Integer (over ℚ, up to a common denominator) or a residue of GF(p).
 ///
-///     monomials     | m₀ word 0 | m₀ word 1 | m₁ word 0 | m₁ word 1 | …      layout->words() words a monomial
-///     coefficients  | c₀ | c₁ | …
+///     monomials     | m₀ word 0 | m₀ word 1 | m₁ word 0 | m₁ word 1 | …      layout->words() words a
+///     monomial coefficients  | c₀ | c₁ | …
 ///
 /// It does not own the layout; whoever holds a TermList holds the ring that does.
 template <class Element>
@@ -27,7 +27,9 @@ struct TermList {
 
     std::size_t size() const { return coefficients.size(); }
     bool empty() const { return coefficients.empty(); }
-    const MonomialLayout::Word* monomial(std::size_t i) const { return monomials.data() + i * layout->words(); }
+    const MonomialLayout::Word* monomial(std::size_t i) const {
+        return monomials.data() + i * layout->words();
+    }
     MonomialLayout::Word* monomial(std::size_t i) { return monomials.data() + i * layout->words(); }
 
     void reserve(std::size_t terms) {

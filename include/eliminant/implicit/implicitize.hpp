@@ -66,7 +66,8 @@ struct ImplicitResult {
     /// infinitely many or not computed.
     std::optional<std::uint64_t> parametrization_degree;
     ImplicitStatistics statistics;
-    /// What holds of most answers and is easily forgotten, a sentence each: that a closure may be larger than an image.
+    /// What holds of most answers and is easily forgotten, a sentence each: that a closure may be larger than
+    /// an image.
     std::vector<std::string> notes = {};
 };
 
