@@ -130,27 +130,8 @@ TEST(Ideal, KeepsItsBases) {
     EXPECT_TRUE(is_reduced_groebner(I.groebner_basis(MonomialOrder::deglex(), run), run));
 }
 
-/// Cyclic 8-roots over ℚ: far out of reach of the time that the tests below allow.
-Ideal long_work() {
-    const Ring ring = qq(testing::numbered_names(8));
-    std::vector<Polynomial> generators;
-    for (std::size_t length = 1; length < 8; ++length) {
-        Polynomial f(ring);
-        for (std::size_t start = 0; start < 8; ++start) {
-            Polynomial product = number(ring, 1);
-            for (std::size_t i = 0; i < length; ++i) product *= Polynomial::variable(ring, (start + i) % 8);
-            f += product;
-        }
-        generators.push_back(f);
-    }
-    Polynomial product = number(ring, 1);
-    for (std::size_t i = 0; i < 8; ++i) product *= Polynomial::variable(ring, i);
-    generators.push_back(product - number(ring, 1));
-    return {ring, generators};
-}
-
 TEST(Ideal, CanBeStoppedInsideABasisAndInsideASaturation) {
-    const Ideal I = long_work();
+    const Ideal I = testing::long_work();
     const auto stops = [](auto&& work) {
         base::Run run({.time_limit_seconds = 0.05});
         EXPECT_THROW(work(run), Stopped);

@@ -66,4 +66,21 @@ inline std::string describe(const Ideal& I) {
     return text;
 }
 
+/// Cyclic 9-roots over ℚ, out of reach of any time that a test would allow: to be stopped.
+inline Ideal long_work() {
+    constexpr std::size_t n = 9;
+    const Ring ring(CoefficientField::rationals(), numbered_names(n));
+    std::vector<Polynomial> generators;
+    for (std::size_t length = 1; length <= n; ++length) {
+        Polynomial f = number(ring, length == n ? -1 : 0);
+        for (std::size_t start = 0; start < (length == n ? 1 : n); ++start) {
+            std::vector<std::uint64_t> exponents(n, 0);
+            for (std::size_t i = 0; i < length; ++i) exponents[(start + i) % n] = 1;
+            f += Polynomial::term(Monomial(ring, exponents), 1);
+        }
+        generators.push_back(std::move(f));
+    }
+    return {ring, std::move(generators)};
+}
+
 } // namespace eliminant::testing
