@@ -23,7 +23,12 @@
 
 namespace {
 
-using namespace eliminant;
+using eliminant::CoefficientField;
+using eliminant::Integer;
+using eliminant::MonomialOrder;
+using eliminant::Polynomial;
+using eliminant::PolynomialBuilder;
+using eliminant::Ring;
 
 struct Problem {
     std::string name;
@@ -185,7 +190,9 @@ std::vector<Problem> problems() {
                 random.sparse(terms, degree, bits));
         };
         dense("univariate.dense", 1, 200, 200, 20);
+        dense("univariate.high-degree", 1, 3000, 3000, 20);
         dense("bivariate.dense", 2, 20, 20, 20);
+        dense("bivariate.high-degree", 2, 60, 60, 20);
         dense("dense3", 3, 8, 8, 10);
         dense("dense4", 4, 6, 6, 10);
         dense("dense4.small-gcd", 4, 2, 8, 10);
@@ -221,7 +228,7 @@ int main(int argc, char** argv) {
             return problem.name.find(part) != std::string::npos;
         };
         if (!wanted.empty() && std::ranges::none_of(wanted, matches)) continue;
-        Run run;
+        eliminant::Run run;
         Polynomial answer(problem.f.ring());
         const double seconds = median_seconds(repeat, [&] { answer = gcd(problem.f, problem.g, run); });
         const Comparison peer = problem.f.ring().field().is_rationals()

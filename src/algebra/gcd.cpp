@@ -101,7 +101,7 @@ Polynomial gcd(const Polynomial& f, const Polynomial& g, base::Run& run) {
         a = with_exponents(a, lower).primitive_part();
         b = with_exponents(b, lower).primitive_part();
     }
-    const Polynomial h = gcd_without_monomials(a, b, run);
+    Polynomial h = gcd_without_monomials(a, b, run);
     if (!deflate && std::ranges::all_of(common, [](std::uint64_t e) { return e == 0; })) return h;
     return with_exponents(h, [&](std::size_t v,
                                  std::uint64_t e) { return common[v] + (stride[v] > 1 ? e * stride[v] : e); })

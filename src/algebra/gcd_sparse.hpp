@@ -35,7 +35,7 @@ class SparseGcd {
 
     /// The coefficients of H on the support that another prime gave; nothing if that fails or it does not
     /// fit.
-    std::optional<dense::Vector> on_support(const ExponentRows& support);
+    std::optional<dense::Vector> on_support(const ExponentRows& rows);
 
   private:
     class Images;
