@@ -89,7 +89,7 @@ class StoreBatchReducer final : public BatchReducer {
             }
         }
         std::ranges::sort(halves);
-        halves.erase(std::ranges::unique(halves).begin(), halves.end());
+        halves.erase(std::unique(halves.begin(), halves.end()), halves.end());
         for (const auto& [lcm, half] : halves) {
             layout_.divide(store_.monomial(lcm), basis_.lead(half), multiplier_.data());
             want(multiplier_.data(), basis_[half]);
