@@ -16,6 +16,6 @@ step("${CMAKE_COMMAND}" -S "${CONSUMER_DIR}" -B "${SCRATCH_DIR}/build" -G "${GEN
   "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}" "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
 step("${CMAKE_COMMAND}" --build "${SCRATCH_DIR}/build" --config "${CONFIG}")
 step("${SCRATCH_DIR}/build/consumer")
-if(NOT step_output MATCHES "^eliminant [0-9.]+: interrupted 42\n$")
+if(NOT step_output STREQUAL "x^2+y^2-1\n")
   message(FATAL_ERROR "the consumer printed: ${step_output}")
 endif()
