@@ -136,31 +136,23 @@ void Integer::multiply_slow(const Integer& other) {
     demote();
 }
 
-void Integer::add_product_slow(const Integer& a, const Integer& b) {
+void Integer::accumulate_slow(const Integer& a, const Integer& b,
+                              void (*accumulate)(mpz_ptr, mpz_srcptr, mpz_srcptr)) {
     if (a.is_zero() || b.is_zero()) return;
-    if (this == &a || this == &b) {
-        *this += a * b;
+    if (this == &a || this == &b) { // promotion would pull the operand away under its view
+        const Integer left_copy(a);
+        const Integer right_copy(b);
+        accumulate_slow(left_copy, right_copy, accumulate);
         return;
     }
     const View left(a);
     const View right(b);
-    mpz_class& self = promote();
-    mpz_addmul(self.get_mpz_t(), left, right);
+    accumulate(promote().get_mpz_t(), left, right);
     demote();
 }
 
-void Integer::subtract_product_slow(const Integer& a, const Integer& b) {
-    if (a.is_zero() || b.is_zero()) return;
-    if (this == &a || this == &b) {
-        *this -= a * b;
-        return;
-    }
-    const View left(a);
-    const View right(b);
-    mpz_class& self = promote();
-    mpz_submul(self.get_mpz_t(), left, right);
-    demote();
-}
+void Integer::add_product_slow(const Integer& a, const Integer& b) { accumulate_slow(a, b, mpz_addmul); }
+void Integer::subtract_product_slow(const Integer& a, const Integer& b) { accumulate_slow(a, b, mpz_submul); }
 
 void Integer::negate_slow() {
     mpz_class& self = large();

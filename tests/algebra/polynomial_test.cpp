@@ -1,42 +1,15 @@
 #include "eliminant/algebra/arithmetic.hpp"
+#include "support/random_polynomials.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 using namespace eliminant;
+using eliminant::testing::random_polynomial;
+using eliminant::testing::sample_rings;
 
 namespace {
-
-std::vector<Ring> sample_rings() {
-    const std::vector<std::string> names = {"x", "y", "z"};
-    std::vector<Ring> rings;
-    for (const auto& field : {CoefficientField::rationals(), CoefficientField::prime(2),
-                              CoefficientField::prime(101), CoefficientField::prime(2147483647)}) {
-        rings.emplace_back(field, names, MonomialOrder::lex());
-        rings.emplace_back(field, names, MonomialOrder::deglex());
-        rings.emplace_back(field, names, MonomialOrder::degrevlex());
-        rings.emplace_back(field, names, MonomialOrder::weighted({1, 2, 3}, MonomialOrder::TieBreak::lex));
-        rings.emplace_back(field, names, MonomialOrder::weighted({3, 1, 2}, MonomialOrder::TieBreak::revlex));
-        rings.emplace_back(field, names, MonomialOrder::elimination({1}));
-        rings.emplace_back(field, names, MonomialOrder::matrix({{1, 1, 1}, {0, -1, 2}, {0, 0, -5}}));
-    }
-    return rings;
-}
-
-Polynomial random_polynomial(const Ring& ring, std::mt19937_64& random, std::size_t terms,
-                             std::uint64_t max_degree) {
-    PolynomialBuilder builder(ring);
-    std::vector<std::uint64_t> exponents(ring.variable_count());
-    for (std::size_t i = 0; i < terms; ++i) {
-        for (auto& e : exponents) e = random() % (max_degree + 1);
-        const auto numerator = static_cast<std::int64_t>(random() % 41) - 20;
-        const bool fraction = ring.field().is_rationals() && random() % 4 == 0;
-        builder.add(Integer(numerator), Integer(fraction ? 1 + static_cast<std::int64_t>(random() % 9) : 1),
-                    exponents);
-    }
-    return builder.build();
-}
 
 TEST(Polynomial, SatisfiesTheRingAxiomsInEveryOrderAndField) {
     std::mt19937_64 random(1);

@@ -9,10 +9,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <fstream>
-#include <map>
 #include <sstream>
+#include <string>
 #include <thread>
 
 using namespace eliminant;
@@ -131,26 +130,61 @@ TEST(F4, AgreesWithBuchbergerOnRandomIdeals) {
     }
 }
 
+System classical_system(const std::string& name, const CoefficientField& field, base::Run& run) {
+    std::ostringstream text;
+    text << std::ifstream(ELIMINANT_DATA_DIR "/groebner/" + name + ".qq.ms").rdbuf();
+    const std::string content = text.str();
+    SystemOverrides overrides;
+    overrides.field = field;
+    return parse_system({content, name}, SystemFormat::msolve, overrides, run);
+}
+
+/// Number of elements and largest degree of the reduced degrevlex basis, as all systems report them.
+struct ClassicalSystem {
+    std::string name;
+    std::size_t elements;
+    std::int64_t max_degree;
+    bool quick_over_rationals;
+};
+
+const std::vector<ClassicalSystem> classical_systems = {
+    {"katsura6", 41, 7, true}, {"katsura7", 74, 8, false}, {"katsura8", 143, 9, false},
+    {"cyclic5", 20, 8, true},  {"cyclic6", 45, 9, true},   {"eco8", 59, 5, true},
+    {"eco9", 106, 6, true},    {"noon5", 72, 9, true},     {"noon6", 187, 11, true},
+    {"noon7", 495, 13, false}, {"chandra6", 32, 6, true},  {"chandra7", 64, 7, true},
+    {"chandra8", 128, 8, true}};
+
 TEST(F4, AgreesWithBuchbergerOnClassicalSystems) {
     base::Run run;
-    for (const auto& entry : std::filesystem::directory_iterator(ELIMINANT_DATA_DIR "/groebner")) {
-        if (entry.path().extension() != ".ms") continue;
-        std::ostringstream text;
-        text << std::ifstream(entry.path()).rdbuf();
-        const std::string content = text.str();
+    for (const ClassicalSystem& known : classical_systems) {
         for (const std::uint64_t p : {32003U, 1073741827U}) {
-            SystemOverrides overrides;
-            overrides.field = CoefficientField::prime(p);
-            const System system = parse_system({content, entry.path().filename().string()},
-                                               SystemFormat::msolve, overrides, run);
+            const System system = classical_system(known.name, CoefficientField::prime(p), run);
             BuchbergerOptions options;
             options.selection = groebner::Selection::normal;
             const GroebnerBasis basis = f4(system.ring, system.polynomials, options, run);
             EXPECT_EQ(basis.elements, buchberger(system.ring, system.polynomials, {}, run).elements)
-                << entry.path();
+                << known.name;
+            EXPECT_EQ(basis.elements.size(), known.elements) << known.name;
+            std::int64_t degree = 0;
+            for (const Polynomial& f : basis.elements) degree = std::max(degree, f.total_degree());
+            EXPECT_EQ(degree, known.max_degree) << known.name;
             EXPECT_GT(basis.statistics.matrices, 0U);
             EXPECT_GT(basis.statistics.largest_matrix_columns, 0U);
         }
+    }
+}
+
+TEST(Buchberger, BasesOverTheRationalsHaveTheRightImages) {
+    base::Run run;
+    for (const ClassicalSystem& known : classical_systems) {
+        if (!known.quick_over_rationals) continue;
+        const System rational = classical_system(known.name, CoefficientField::rationals(), run);
+        const System modular = classical_system(known.name, CoefficientField::prime(1073741827), run);
+        const GroebnerBasis basis = buchberger(rational.ring, rational.polynomials, {}, run);
+        EXPECT_EQ(basis.proof, groebner::Proof::full);
+        std::vector<Polynomial> images;
+        for (const Polynomial& f : basis.elements) images.push_back(f.in_ring(modular.ring).monic());
+        EXPECT_EQ(images, f4(modular.ring, modular.polynomials, {}, run).elements) << known.name;
     }
 }
 

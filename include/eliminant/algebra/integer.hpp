@@ -202,6 +202,8 @@ class Integer {
     void multiply_slow(const Integer& other);
     void add_product_slow(const Integer& a, const Integer& b);
     void subtract_product_slow(const Integer& a, const Integer& b);
+    void accumulate_slow(const Integer& a, const Integer& b,
+                         void (*accumulate)(mpz_ptr, mpz_srcptr, mpz_srcptr));
     void negate_slow();
     static int compare_slow(const Integer& a, const Integer& b);
 
