@@ -132,7 +132,7 @@ Ideal radical(const Ideal& I, base::Run& run) {
     // Another ideal with the same radical, and of smaller degree.
     std::vector<Polynomial> generators;
     for (const Polynomial& f : I.generators()) generators.push_back(squarefree_part(f, run));
-    const Ideal start(I.ring(), std::move(generators));
+    Ideal start(I.ring(), std::move(generators));
     if (start.generators().size() <= 1) return start;
     Ideal P = Ideal::unit(I.ring());
     while (const Polynomial* g = element_outside_radical(P, start, run)) {

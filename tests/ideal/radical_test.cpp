@@ -11,6 +11,7 @@ namespace eliminant::ideal {
 namespace {
 
 using testing::describe;
+using testing::ideal_of;
 using testing::number;
 using testing::Random;
 using testing::random_ideal;
@@ -18,11 +19,6 @@ using testing::random_small;
 using testing::variables;
 
 const Ring xyz(CoefficientField::rationals(), {"x", "y", "z"});
-
-Ideal ideal(std::vector<Polynomial> generators) {
-    const Ring ring = generators.front().ring();
-    return {ring, std::move(generators)};
-}
 
 TEST(ZeroDimensional, StandardMonomialsAreABasisOfTheQuotient) {
     base::Run run;
@@ -93,20 +89,20 @@ TEST(Radical, OfKnownIdeals) {
         const Polynomial one = number(ring, 1);
         EXPECT_TRUE(radical(Ideal(ring), run).is_zero());
         EXPECT_TRUE(radical(Ideal::unit(ring), run).is_unit(run));
-        EXPECT_TRUE(radical(ideal({x * x * y * y * y}), run).equals(ideal({x * y}), run));
-        EXPECT_TRUE(radical(ideal({x * x, y * y}), run).equals(ideal({x, y}), run));
-        EXPECT_TRUE(radical(ideal({x * x, x * y}), run).equals(ideal({x}), run)); // an embedded point
-        EXPECT_TRUE(radical(ideal({x * x - y * z, pow(y, 3)}), run).equals(ideal({x, y}), run));
+        EXPECT_TRUE(radical(ideal_of({x * x * y * y * y}), run).equals(ideal_of({x * y}), run));
+        EXPECT_TRUE(radical(ideal_of({x * x, y * y}), run).equals(ideal_of({x, y}), run));
+        EXPECT_TRUE(radical(ideal_of({x * x, x * y}), run).equals(ideal_of({x}), run)); // an embedded point
+        EXPECT_TRUE(radical(ideal_of({x * x - y * z, pow(y, 3)}), run).equals(ideal_of({x, y}), run));
         // A plane, a line and a point, each with its multiplicity.
-        const Ideal plane = ideal({z});
-        const Ideal line = ideal({x - one, y});
-        const Ideal point = ideal({x, y - one, z - one});
+        const Ideal plane = ideal_of({z});
+        const Ideal line = ideal_of({x - one, y});
+        const Ideal point = ideal_of({x, y - one, z - one});
         const Ideal thick =
             product(power(plane, 2, run), product(power(line, 2, run), power(point, 2, run), run), run);
         const Ideal thin = intersect(std::vector{plane, line, point}, run);
         EXPECT_TRUE(radical(thick, run).equals(thin, run)) << ring.to_string();
         // Two tangent curves.
-        EXPECT_TRUE(radical(ideal({y - x * x, y * y}), run).equals(ideal({x, y}), run));
+        EXPECT_TRUE(radical(ideal_of({y - x * x, y * y}), run).equals(ideal_of({x, y}), run));
     }
 }
 
@@ -139,10 +135,10 @@ TEST(Radical, WhereFieldsAreNotPerfect) {
     for (const std::uint64_t p : {2U, 3U, 5U}) {
         const Ring ring(CoefficientField::prime(p), {"x", "y", "z"});
         const auto [x, y, z] = variables<3>(ring);
-        const Ideal I = ideal({pow(x, p) - z, pow(y, p) - z});
-        EXPECT_TRUE(radical(I, run).equals(ideal({x - y, pow(x, p) - z}), run)) << p;
-        const Ideal J = ideal({pow(x, p * p) - z, pow(y, p) - z});
-        EXPECT_TRUE(radical(J, run).equals(ideal({pow(x, p) - y, pow(y, p) - z}), run)) << p;
+        const Ideal I = ideal_of({pow(x, p) - z, pow(y, p) - z});
+        EXPECT_TRUE(radical(I, run).equals(ideal_of({x - y, pow(x, p) - z}), run)) << p;
+        const Ideal J = ideal_of({pow(x, p * p) - z, pow(y, p) - z});
+        EXPECT_TRUE(radical(J, run).equals(ideal_of({pow(x, p) - y, pow(y, p) - z}), run)) << p;
     }
 }
 
