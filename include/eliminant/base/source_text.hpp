@@ -17,6 +17,7 @@ namespace eliminant::base {
 /// It refers to the text and does not own it: the text outlives it.
 class SourceText {
   public:
+    /// \param text what is read
     /// \param name file name, `-` for standard input, or a word such as `argument`
     SourceText(std::string_view text, std::string name = "argument");  // NOLINT(google-explicit-constructor)
     SourceText(const std::string& text, std::string name = "argument") // NOLINT(google-explicit-constructor)
