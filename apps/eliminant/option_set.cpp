@@ -48,7 +48,9 @@ void set_option(std::string_view shown, const Set& set, std::string_view value) 
 UsageError::UsageError(std::string_view subject, std::string_view expected, std::string_view found)
     : Error(expected_found(subject, expected, found)) {}
 
-OptionSet::OptionSet() : app_(std::make_unique<CLI::App>()) {
+struct OptionSet::Parser : CLI::App {};
+
+OptionSet::OptionSet() : app_(std::make_unique<Parser>()) {
     constexpr std::size_t explanation_column = 30;
     app_->set_help_flag();
     app_->get_formatter()->column_width(explanation_column);

@@ -13,10 +13,6 @@
 #include <utility>
 #include <vector>
 
-namespace CLI {
-class App;
-} // namespace CLI
-
 namespace eliminant::app {
 
 /// The command line is not one that the program understands.
@@ -88,7 +84,8 @@ class OptionSet {
     std::vector<std::string> operands(std::span<const std::string> remaining) const;
 
     std::string heading_;
-    std::unique_ptr<CLI::App> app_;
+    struct Parser; ///< CLI11's, kept out of this header, as it takes seconds to compile
+    std::unique_ptr<Parser> app_;
 };
 
 } // namespace eliminant::app
