@@ -22,7 +22,12 @@
 #include <string>
 #include <vector>
 
-using namespace eliminant;
+using eliminant::CoefficientField;
+using eliminant::Integer;
+using eliminant::parse_polynomial;
+using eliminant::Polynomial;
+using eliminant::PolynomialBuilder;
+using eliminant::Ring;
 
 namespace {
 

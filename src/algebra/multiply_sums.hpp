@@ -160,9 +160,8 @@ class OperandValues {
     }
     OperandValues(const OperandValues&) = delete;
     OperandValues& operator=(const OperandValues&) = delete;
-    operator std::span<const Operand>() const {
-        return values_;
-    } // NOLINT(google-explicit-constructor): a view
+    // NOLINTNEXTLINE(google-explicit-constructor): a view
+    operator std::span<const Operand>() const { return values_; }
 
   private:
     std::vector<Operand> storage_;

@@ -91,19 +91,24 @@ class ScratchDirectory {
 
 /// A system whose basis takes hours.
 inline const std::vector<std::string>& endless_system() {
-    static const std::vector<std::string> polynomials{
-        "a+b+c+d+e+f+g+h+i",
-        "a*b+b*c+c*d+d*e+e*f+f*g+g*h+h*i+i*a",
-        "a*b*c+b*c*d+c*d*e+d*e*f+e*f*g+f*g*h+g*h*i+h*i*a+i*a*b",
-        "a*b*c*d+b*c*d*e+c*d*e*f+d*e*f*g+e*f*g*h+f*g*h*i+g*h*i*a+h*i*a*b+i*a*b*c",
-        "a*b*c*d*e+b*c*d*e*f+c*d*e*f*g+d*e*f*g*h+e*f*g*h*i+f*g*h*i*a+g*h*i*a*b+h*i*a*b*c+i*a*b*c*d",
-        "a*b*c*d*e*f+b*c*d*e*f*g+c*d*e*f*g*h+d*e*f*g*h*i+e*f*g*h*i*a+f*g*h*i*a*b+g*h*i*a*b*c+h*i*a*b*c*d+"
-        "i*a*b*c*d*e",
-        "a*b*c*d*e*f*g+b*c*d*e*f*g*h+c*d*e*f*g*h*i+d*e*f*g*h*i*a+e*f*g*h*i*a*b+f*g*h*i*a*b*c+g*h*i*a*b*c*d+"
-        "h*i*a*b*c*d*e+i*a*b*c*d*e*f",
-        "a*b*c*d*e*f*g*h+b*c*d*e*f*g*h*i+c*d*e*f*g*h*i*a+d*e*f*g*h*i*a*b+e*f*g*h*i*a*b*c+f*g*h*i*a*b*c*d+"
-        "g*h*i*a*b*c*d*e+h*i*a*b*c*d*e*f+i*a*b*c*d*e*f*g",
-        "a*b*c*d*e*f*g*h*i-1"};
+    // The elementary cyclic sums of nine variables: cyclic-9.
+    static const std::vector<std::string> polynomials = [] {
+        const std::string names = "abcdefghi";
+        std::vector<std::string> sums;
+        for (std::size_t length = 1; length < names.size(); ++length) {
+            std::string sum;
+            for (std::size_t first = 0; first < names.size(); ++first) {
+                if (first != 0) sum += '+';
+                for (std::size_t i = 0; i < length; ++i) {
+                    if (i != 0) sum += '*';
+                    sum += names[(first + i) % names.size()];
+                }
+            }
+            sums.push_back(std::move(sum));
+        }
+        sums.emplace_back("a*b*c*d*e*f*g*h*i-1");
+        return sums;
+    }();
     return polynomials;
 }
 
