@@ -105,7 +105,15 @@ std::vector<std::string> variable_names(std::size_t count) {
 }
 
 Measurement run_eliminant(const Problem& problem, int repeat) {
-    using namespace eliminant;
+    using eliminant::CoefficientField;
+    using eliminant::divide_exactly;
+    using eliminant::Integer;
+    using eliminant::MonomialOrder;
+    using eliminant::multiply;
+    using eliminant::Polynomial;
+    using eliminant::PolynomialBuilder;
+    using eliminant::pow;
+    using eliminant::Ring;
     const Ring ring(problem.modular ? CoefficientField::prime(prime) : CoefficientField::rationals(),
                     variable_names(problem.variables),
                     problem.lex ? MonomialOrder::lex() : MonomialOrder::degrevlex());
@@ -117,7 +125,7 @@ Measurement run_eliminant(const Problem& problem, int repeat) {
         return f + Polynomial::constant(ring, factor.plus);
     };
     const Polynomial a = build(problem.a);
-    base::Run run;
+    eliminant::Run run;
     if (problem.operation == Operation::power)
         return measure(repeat, [&] { return pow(a, problem.b.power, run).size(); });
     const Polynomial b = build(problem.b);

@@ -140,9 +140,7 @@ void Integer::accumulate_slow(const Integer& a, const Integer& b,
                               void (*accumulate)(mpz_ptr, mpz_srcptr, mpz_srcptr)) {
     if (a.is_zero() || b.is_zero()) return;
     if (this == &a || this == &b) { // promotion would pull the operand away under its view
-        const Integer left_copy(a);
-        const Integer right_copy(b);
-        accumulate_slow(left_copy, right_copy, accumulate);
+        accumulate_slow(a * b, Integer(1), accumulate);
         return;
     }
     const View left(a);

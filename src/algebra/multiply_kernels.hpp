@@ -81,7 +81,7 @@ void multiply_by_window(const KeyedTerms<Key, typename Sums::Operand>& a,
             if (end < b.size()) agenda.push((a.keys[row] + b.keys[end]) >> window_bits, row);
         }
         window.drain([&](std::size_t cell, auto&& value) {
-            emit(low + cell, std::move(value));
+            emit(low + cell, std::forward<decltype(value)>(value));
             return true;
         });
     }

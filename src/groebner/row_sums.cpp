@@ -99,10 +99,11 @@ Integer RowSums<algebra::IntegerDomain>::eliminate(const Integer& value,
 void RowSums<algebra::IntegerDomain>::settle_result() {
     Integer scale(1);
     std::size_t end = result_.size();
-    for (auto rescaling = rescalings_.rbegin(); rescaling != rescalings_.rend(); ++rescaling) {
-        for (std::size_t i = rescaling->emitted_before; i < end && !scale.is_one(); ++i) result_[i] *= scale;
-        end = rescaling->emitted_before;
-        scale *= rescaling->factor;
+    for (std::size_t k = rescalings_.size(); k-- > 0;) {
+        const Rescaling& rescaling = rescalings_[k];
+        for (std::size_t i = rescaling.emitted_before; i < end && !scale.is_one(); ++i) result_[i] *= scale;
+        end = rescaling.emitted_before;
+        scale *= rescaling.factor;
     }
     for (std::size_t i = 0; i < end && !scale.is_one(); ++i) result_[i] *= scale;
     rescalings_.clear();

@@ -65,7 +65,7 @@ class RowSums<algebra::PrimeDomain> {
         coefficients.swap(result_);
     }
     static constexpr bool wants_collapse() { return false; }
-    void collapse(std::vector<Element>) {}
+    void collapse(const std::vector<Element>&) {}
     static std::uint64_t cost(const std::vector<Element>& coefficients) { return coefficients.size(); }
 
   private:
