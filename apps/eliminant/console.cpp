@@ -106,7 +106,7 @@ void Console::error(std::string_view message) { say("eliminant: " + printable(me
 void Console::error(const ParseError& error) {
     std::string text = "eliminant: " + printable(error.what()) + "\n";
     if (terminal_) text += excerpt(error.line_text(), error.where().column, terminal_width());
-    say(std::move(text));
+    say(text);
 }
 
 void Console::warning(std::string_view message) { say("eliminant: warning: " + printable(message) + "\n"); }
@@ -130,7 +130,7 @@ void Console::clear_progress() {
     erase_live_line();
 }
 
-void Console::say(std::string text) {
+void Console::say(const std::string& text) {
     const std::lock_guard lock(mutex_);
     erase_live_line();
     write_to_standard_error(text);

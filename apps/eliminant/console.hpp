@@ -39,7 +39,7 @@ class Console {
     void clear_progress();
 
   private:
-    void say(std::string text);
+    void say(const std::string& text);
     void erase_live_line();
 
     const bool terminal_;

@@ -39,9 +39,9 @@ Angle read_angle(ExpressionView argument, std::size_t call_offset,
                  const std::function<bool(std::string_view)>& is_parameter, base::Run& run) {
     const std::string name = only_name(argument, call_offset, is_parameter);
     const algebra::Ring ring(algebra::CoefficientField::rationals(), {name});
-    const RationalFunction t(Polynomial::variable(ring, std::size_t{0}));
+    const Polynomial t = Polynomial::variable(ring, std::size_t{0});
     const RationalFunction value =
-        evaluate(argument, ring, {[&t](std::string_view, std::size_t) { return t; }}, run);
+        evaluate(argument, ring, {[&t](std::string_view, std::size_t) { return RationalFunction(t); }}, run);
     const Polynomial& f = value.numerator;
     const bool fits = value.denominator.is_constant() && f.size() == 1 && f.exponent(0, 0) == 1;
     const mpq_class factor =
@@ -62,14 +62,14 @@ CosineAndSine multiple_angle(const Polynomial& c, const Polynomial& s, std::int6
         before = twice_c * current - before;
         std::swap(before, current);
     };
-    Polynomial T_before = c; // T₋₁ = T₁
+    Polynomial first_before = c; // T₋₁ = T₁
     Polynomial T = one;
-    Polynomial U_before = -one; // U₋₂ = −U₀
-    Polynomial U(c.ring());     // U₋₁
+    Polynomial second_before = -one; // U₋₂ = −U₀
+    Polynomial U(c.ring());          // U₋₁
     for (std::int64_t k = 0; k < multiple; ++k) {
         run.poll();
-        step(T_before, T);
-        step(U_before, U);
+        step(first_before, T);
+        step(second_before, U);
     }
     return {T, s * U};
 }

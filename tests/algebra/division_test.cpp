@@ -10,7 +10,6 @@ using namespace eliminant;
 using eliminant::algebra::try_divide_with;
 using eliminant::test::random_nonzero;
 using eliminant::test::random_polynomial;
-using eliminant::test::Shape;
 
 namespace {
 
