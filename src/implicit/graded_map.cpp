@@ -1,6 +1,7 @@
 #include "implicit/graded_map.hpp"
 
 #include "eliminant/algebra/coefficients.hpp"
+#include "eliminant/base/error.hpp"
 
 #include <algorithm>
 #include <string>
@@ -15,6 +16,8 @@ using algebra::PolynomialBuilder;
 namespace {
 
 constexpr std::size_t absent = GradedMap::absent;
+/// Orders bound their weights by 2^31 (MonomialOrder).
+constexpr std::uint64_t max_weight = std::uint64_t{1} << 30;
 
 std::uint64_t degree_of_term(const Polynomial& f, std::size_t term, std::span<const std::size_t> variables) {
     std::uint64_t degree = 0;
@@ -145,6 +148,9 @@ class Construction {
     }
 
     std::size_t place(const char* stem, std::uint64_t weight) {
+        if (weight > max_weight)
+            throw DomainError("implicitization: the parametrization has degree " + std::to_string(weight) +
+                              ", degrees up to 2^30 can be graded");
         names_.push_back(stem + std::to_string(names_.size()));
         weights_.push_back(weight);
         return names_.size() - 1;

@@ -259,6 +259,11 @@ TEST(Implicitize, StopsBeforeItBegins) {
     EXPECT_THROW(implicitize(parametrization_of("x = s*t\ny = s\nz = t^2"), {}, run), Stopped);
 }
 
+TEST(Implicitize, RejectsDegreesThatCannotBeGraded) {
+    base::Run run;
+    EXPECT_THROW(implicitize(parametrization_of("x = t^99999999999\ny = t"), {}, run), DomainError);
+}
+
 TEST(Implicitize, NamesItsMethodsAndAssurances) {
     EXPECT_EQ(to_string(Method::automatic), "auto");
     EXPECT_EQ(to_string(Method::groebner), "groebner");
