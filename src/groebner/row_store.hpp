@@ -14,8 +14,8 @@ namespace eliminant::groebner {
 /// element's multiple as a row of indices into the table.
 ///
 /// The same monomials are met again and again, and their rows stay what they are: stored at the first use,
-/// they save the products and look-ups of all later ones (katsura-8 over GF(p), one reduction at a time: a
-/// factor of three).
+/// they save the products and look-ups of all later ones (cyclic-7 over GF(p), one reduction at a time: 0.15
+/// s instead of 0.30).
 ///
 ///     table        monomial ↔ index
 ///     knowledge_   per index: reducer, elements checked, mask, where its row begins
