@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -30,9 +31,17 @@ const std::map<std::string, std::set<std::string>> allowed_layers = {
     {"apps", {"base", "algebra", "groebner", "ideal", "implicit", "field", "scene", "render", "export"}},
 };
 
-/// The only headers of the library that are not the project's or the C++ standard's.
-const std::set<std::string> allowed_foreign_headers = {"fcntl.h", "gmp.h", "gmpxx.h", "immintrin.h",
-                                                       "unistd.h"};
+/// The only headers of the library that are not the project's or the C++ standard's: single ones, and whole
+/// libraries by the folder of their headers.
+const std::set<std::string> allowed_foreign_headers = {"arm_neon.h",  "fcntl.h", "gmp.h",   "gmpxx.h",
+                                                       "immintrin.h", "png.h",   "unistd.h"};
+const std::set<std::string> allowed_foreign_libraries = {"boost/multiprecision", "glm", "tbb"};
+
+bool is_allowed_foreign(const std::string& header) {
+    return allowed_foreign_headers.contains(header) ||
+           std::any_of(allowed_foreign_libraries.begin(), allowed_foreign_libraries.end(),
+                       [&](const std::string& library) { return header.starts_with(library + "/"); });
+}
 
 /// The file that `include` of `file` names, as `layer/name`, or nothing if there is no such file of ours.
 std::string resolve(const SourceFile& file, const Include& include, const std::set<std::string>& names) {
@@ -63,7 +72,7 @@ std::vector<std::string> violations(const SourceFile& file, const std::set<std::
         };
         if (!include.quoted) {
             const bool standard = include.name.find_first_of("./") == std::string::npos;
-            if (file.layer != "apps" && !standard && !allowed_foreign_headers.contains(include.name))
+            if (file.layer != "apps" && !standard && !is_allowed_foreign(include.name))
                 complain("is not among the headers the library may depend on");
             if (include.name.starts_with("eliminant/")) complain("is ours and is included with quotes");
             continue;
