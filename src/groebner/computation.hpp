@@ -77,6 +77,14 @@ class Computation {
         const CriticalPair pair = queue_.best();
         widening_if_needed([&] { treat(pair); });
     }
+    /// Reduces the tails of the elements of the minimal basis, given ascending by leading monomial.
+    virtual void reduce_tails(std::span<const std::size_t> minimal) {
+        for (const std::size_t i : minimal) {
+            run_.poll();
+            while (!widening_if_needed([&] { reduce_tail(i); })) {
+            }
+        }
+    }
     /// The working layout was widened: forget what depends on it.
     virtual void layout_changed() {
         reducer_.reset();
@@ -184,13 +192,10 @@ class Computation {
         std::ranges::sort(minimal, [this](std::size_t i, std::size_t j) {
             return basis_.layout().compare(basis_.lead(i), basis_.lead(j)) < 0;
         });
-        for (const std::size_t i : minimal) {
-            run_.poll();
-            while (!widening_if_needed([&] { reduce_tail(i); })) {
-            }
+        reduce_tails(minimal);
+        for (const std::size_t i : minimal)
             result_.elements.push_back(
                 algebra::Polynomial::from_terms(ring_, basis_[i].terms).primitive_part());
-        }
         return std::move(result_);
     }
 

@@ -30,6 +30,7 @@ void MacaulayMatrix::scatter(std::span<const Column> columns, std::span<const El
 
 MacaulayMatrix::Row MacaulayMatrix::reduce(std::size_t first) {
     Row result;
+    used_.clear();
     for (std::size_t column = first; column < columns_; ++column) {
         if (dense_[column] == 0) continue;
         const Element value = field_.reduce(dense_[column]);
@@ -41,6 +42,7 @@ MacaulayMatrix::Row MacaulayMatrix::reduce(std::size_t first) {
             result.coefficients.push_back(value);
             continue;
         }
+        used_.push_back(static_cast<Column>(column));
         const std::uint64_t q = field_.negate(value);
         std::uint64_t* dense = dense_.data();
         for (std::size_t i = 1; i < pivot.size;
@@ -56,9 +58,10 @@ MacaulayMatrix::Row MacaulayMatrix::reduce(std::size_t first) {
     return result;
 }
 
-std::vector<MacaulayMatrix::Row> MacaulayMatrix::echelon(base::Run& run) {
+std::vector<MacaulayMatrix::Row> MacaulayMatrix::echelon(base::Run& run, Transcript* transcript) {
     by_column_.assign(columns_, {});
     dense_.assign(columns_, 0);
+    if (transcript) transcript->pivots.assign(columns_, false);
     for (const Reference& row : pivots_) {
         const Column* columns = pool_.data() + row.begin;
         by_column_[columns[0]] = {columns, row.coefficients.data(), row.coefficients.size()};
@@ -68,12 +71,18 @@ std::vector<MacaulayMatrix::Row> MacaulayMatrix::echelon(base::Run& run) {
     const auto become_pivot = [this](const Row& row) {
         by_column_[row.columns.front()] = {row.columns.data(), row.coefficients.data(), row.columns.size()};
     };
-    for (const Reference& row : rows_) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const Reference& row = rows_[i];
         run.poll();
         const std::span<const Column> columns(pool_.data() + row.begin, row.coefficients.size());
         scatter(columns, row.coefficients);
         Row reduced = reduce(columns.front());
         if (reduced.columns.empty()) continue;
+        if (transcript) {
+            for (const Column column : used_) transcript->pivots[column] = true;
+            transcript->rows.push_back(i);
+            transcript->leads.push_back(reduced.columns.front());
+        }
         found.push_back(std::move(reduced));
         become_pivot(found.back());
     }

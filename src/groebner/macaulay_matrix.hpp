@@ -39,10 +39,17 @@ class MacaulayMatrix {
         std::vector<Column> columns;
         std::vector<Element> coefficients;
     };
+    /// What an elimination made use of: a second one that is given no more finds the same.
+    struct Transcript {
+        std::vector<bool> pivots;      ///< per column: whether the pivot given for it was subtracted
+        std::vector<std::size_t> rows; ///< numbers of the rows that did not reduce to zero, as they came
+        std::vector<Column> leads;     ///< the leading columns of what they became
+    };
     /// A basis of what the rows add to the span of the pivots: monic, ascending by leading column, no entry
     /// in a pivot column, neither of the given pivots nor of each other. Each row is scattered into a dense
-    /// vector once; O(Σ length of the pivots used). Polls the run once a row.
-    std::vector<Row> echelon(base::Run& run);
+    /// vector once; O(Σ length of the pivots used). Polls the run once a row. Fills in `transcript` unless it
+    /// is null.
+    std::vector<Row> echelon(base::Run& run, Transcript* transcript = nullptr);
 
   private:
     struct Reference { ///< to columns in pool_
@@ -52,7 +59,7 @@ class MacaulayMatrix {
     std::span<Column> add(std::vector<Reference>& rows, std::span<const Element> coefficients);
     void scatter(std::span<const Column> columns, std::span<const Element> coefficients);
     /// Eliminates from dense_ what has a pivot, from column `first` on, and takes out the rest, which is
-    /// monic.
+    /// monic. The columns of the pivots used are in used_.
     Row reduce(std::size_t first);
 
     struct Pivot {
@@ -69,6 +76,7 @@ class MacaulayMatrix {
     std::vector<Reference> rows_;
     std::vector<Pivot> by_column_;
     std::vector<std::uint64_t> dense_; ///< entries below p²
+    std::vector<Column> used_;
 };
 
 } // namespace eliminant::groebner

@@ -1,7 +1,7 @@
 #include "eliminant/groebner/f4.hpp"
 
 #include "eliminant/algebra/parse.hpp"
-#include "eliminant/algebra/system.hpp"
+#include "groebner/classical_systems.hpp"
 #include "groebner/macaulay_matrix.hpp"
 #include "support/random_ideals.hpp"
 
@@ -9,12 +9,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <thread>
 
 using namespace eliminant;
+using eliminant::testing::classical_system;
 
 namespace {
 
@@ -128,15 +127,6 @@ TEST(F4, AgreesWithBuchbergerOnRandomIdeals) {
             }
         }
     }
-}
-
-System classical_system(const std::string& name, const CoefficientField& field, base::Run& run) {
-    std::ostringstream text;
-    text << std::ifstream(ELIMINANT_DATA_DIR "/groebner/" + name + ".qq.ms").rdbuf();
-    const std::string content = text.str();
-    SystemOverrides overrides;
-    overrides.field = field;
-    return parse_system({content, name}, SystemFormat::msolve, overrides, run);
 }
 
 /// Number of elements and largest degree of the reduced degrevlex basis, as all systems report them.

@@ -1,0 +1,234 @@
+#include "f4_batch.hpp"
+
+#include "macaulay_matrix.hpp"
+#include "row_store.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace eliminant::groebner {
+
+namespace {
+
+using Element = BatchReducer::Element;
+
+template <std::size_t Words>
+class StoreBatchReducer final : public BatchReducer {
+  public:
+    StoreBatchReducer(const algebra::PrimeField& field, const Basis<Element>& basis,
+                      std::size_t generator_count, base::Run& run)
+        : field_(field), basis_(basis), layout_(basis.layout()), generator_count_(generator_count), run_(run),
+          store_(basis), multiplier_(layout_.words()) {}
+
+    Batch reduce(std::span<const CriticalPair> pairs, std::span<const BasisElement<Element>> generators,
+                 F4Round* record) override {
+        begin();
+        add_halves(pairs, generators);
+        add_pivots();
+        return reduce_matrix(record);
+    }
+
+    Batch reduce_tails(std::span<const std::size_t> minimal, F4Round* record) override {
+        begin();
+        std::ranges::fill(multiplier_, Word{0});
+        for (const std::size_t i : minimal) want(multiplier_.data(), basis_[i], operand(i));
+        for (const WantedRow& row : wanted_) see({wanted_indices_.data() + row.begin, 1});
+        heads_ = monomials_.size(); // they stay what they are
+        add_pivots();
+        return reduce_matrix(record);
+    }
+
+  private:
+    using Store = RowStore<Element, Words>;
+    using Index = typename Store::Index;
+
+    /// A row to be reduced: a multiple of an element or generator.
+    struct WantedRow {
+        const BasisElement<Element>* element;
+        std::uint32_t operand;
+        std::size_t begin; ///< of its indices in wanted_indices_
+    };
+    struct PivotRow {
+        Index lead;
+        std::uint32_t element;
+    };
+
+    std::uint32_t operand(std::size_t element) const {
+        return static_cast<std::uint32_t>(generator_count_ + element);
+    }
+
+    void begin() {
+        if (store_.is_large() || ++round_ == 0) {
+            store_.clear();
+            seen_in_.clear();
+            round_ = 1;
+        }
+        monomials_.clear();
+        heads_ = 0;
+        wanted_.clear();
+        wanted_indices_.clear();
+        pivots_.clear();
+    }
+
+    void want(const Word* multiplier, const BasisElement<Element>& f, std::uint32_t number) {
+        wanted_.push_back({&f, number, wanted_indices_.size()});
+        store_.product(multiplier, f, wanted_indices_);
+    }
+
+    /// Both halves of each pair. Pairs with a common lcm share halves, and the half that is the lcm's own
+    /// pivot is not wanted as a row as well.
+    void add_halves(std::span<const CriticalPair> pairs, std::span<const BasisElement<Element>> generators) {
+        std::vector<std::pair<Index, std::uint32_t>> halves;
+        for (const CriticalPair& pair : pairs) {
+            if (pair.first == CriticalPair::generator) {
+                std::ranges::fill(multiplier_, Word{0});
+                want(multiplier_.data(), generators[pair.second], pair.second);
+                continue;
+            }
+            const Index lcm = store_.index_of(pair.lcm.data());
+            for (const std::uint32_t half : {pair.first, pair.second}) {
+                if (half != store_.reducer_of(lcm)) halves.emplace_back(lcm, half);
+            }
+        }
+        std::ranges::sort(halves);
+        halves.erase(std::unique(halves.begin(), halves.end()), halves.end());
+        for (const auto& [lcm, half] : halves) {
+            layout_.divide(store_.monomial(lcm), basis_.lead(half), multiplier_.data());
+            want(multiplier_.data(), basis_[half], operand(half));
+        }
+    }
+
+    void see(std::span<const Index> indices) {
+        seen_in_.resize(store_.size(), 0);
+        for (const Index index : indices) {
+            if (seen_in_[index] == round_) continue;
+            seen_in_[index] = round_;
+            monomials_.push_back(index);
+        }
+    }
+
+    /// Symbolic preprocessing: every monomial that some basis element divides gets that multiple as a pivot.
+    void add_pivots() {
+        see(wanted_indices_);
+        for (std::size_t i = heads_; i < monomials_.size(); ++i) {
+            const Index index = monomials_[i];
+            const std::uint32_t k = store_.reducer_of(index);
+            if (k == Store::none) continue;
+            if (i % 256 == 0) run_.poll();
+            pivots_.push_back({index, k});
+            see(store_.row(index, k));
+        }
+    }
+
+    Batch reduce_matrix(F4Round* record) {
+        std::ranges::sort(monomials_, [this](Index a, Index b) {
+            return layout_.compare(store_.monomial(a), store_.monomial(b)) > 0;
+        });
+        column_of_.resize(store_.size());
+        for (std::size_t c = 0; c < monomials_.size(); ++c) column_of_[monomials_[c]] = static_cast<Index>(c);
+        MacaulayMatrix matrix(field_, monomials_.size());
+        for (const PivotRow& pivot : pivots_) {
+            to_columns(store_.row(pivot.lead, pivot.element),
+                       matrix.add_pivot(basis_[pivot.element].terms.coefficients));
+        }
+        for (const WantedRow& row : wanted_)
+            to_columns(indices_of(row), matrix.add_row(row.element->terms.coefficients));
+        MacaulayMatrix::Transcript transcript;
+        const std::vector<MacaulayMatrix::Row> found = matrix.echelon(run_, record ? &transcript : nullptr);
+        if (record) *record = recorded(transcript, found);
+        Batch batch;
+        batch.rows = matrix.row_count();
+        batch.columns = matrix.column_count();
+        for (const MacaulayMatrix::Row& row : found) batch.found.push_back(terms_of(row));
+        return batch;
+    }
+
+    std::span<const Index> indices_of(const WantedRow& row) const {
+        return {wanted_indices_.data() + row.begin, row.element->terms.coefficients.size()};
+    }
+
+    void to_columns(std::span<const Index> indices, std::span<MacaulayMatrix::Column> columns) const {
+        std::ranges::transform(indices, columns.begin(), [this](Index i) { return column_of_[i]; });
+    }
+
+    TermList<Element> terms_of(const MacaulayMatrix::Row& row) const {
+        TermList<Element> terms(layout_);
+        for (const MacaulayMatrix::Column c : row.columns) {
+            const Word* m = store_.monomial(monomials_[c]);
+            terms.monomials.insert(terms.monomials.end(), m, m + store_.words());
+        }
+        terms.coefficients = row.coefficients;
+        return terms;
+    }
+
+    F4Round recorded(const MacaulayMatrix::Transcript& transcript,
+                     std::span<const MacaulayMatrix::Row> found) {
+        F4Round round;
+        const auto append = [&](std::vector<F4Round::Row>& rows, std::uint32_t operand_number,
+                                std::span<const Index> indices) {
+            const std::size_t begin = round.columns_of_rows.size();
+            rows.push_back({operand_number, begin});
+            round.columns_of_rows.resize(begin + indices.size());
+            to_columns(indices, std::span(round.columns_of_rows).subspan(begin));
+        };
+        for (const PivotRow& pivot : pivots_) {
+            if (transcript.pivots[column_of_[pivot.lead]])
+                append(round.pivots, operand(pivot.element), store_.row(pivot.lead, pivot.element));
+        }
+        for (const std::size_t i : transcript.rows)
+            append(round.rows, wanted_[i].operand, indices_of(wanted_[i]));
+        for (const MacaulayMatrix::Row& row : found) {
+            round.support.insert(round.support.end(), row.columns.begin(), row.columns.end());
+            round.found.push_back(round.support.size());
+        }
+        round.leads = transcript.leads;
+        drop_untouched_columns(round);
+        return round;
+    }
+
+    void drop_untouched_columns(F4Round& round) const {
+        std::vector<std::uint32_t> renumbered(monomials_.size(), 0);
+        for (const std::uint32_t column : round.columns_of_rows) renumbered[column] = 1;
+        std::uint32_t count = 0;
+        for (std::uint32_t& column : renumbered) column = std::exchange(count, count + column);
+        for (std::uint32_t& column : round.columns_of_rows) column = renumbered[column];
+        for (std::uint32_t& column : round.leads) column = renumbered[column];
+        for (std::uint32_t& column : round.support) column = renumbered[column];
+        round.column_count = count;
+    }
+
+    algebra::PrimeField field_;
+    const Basis<Element>& basis_;
+    const MonomialLayout& layout_;
+    std::size_t generator_count_;
+    base::Run& run_;
+    Store store_;
+    std::uint32_t round_ = 0;
+    std::vector<std::uint32_t> seen_in_; ///< per index: the round in which it was last seen
+    std::vector<Index> column_of_;       ///< per index, for those seen in this round
+    std::vector<Index> monomials_;       ///< seen in this round: the columns
+    std::size_t heads_ = 0;              ///< so many of them, the first, are not to be reduced
+    std::vector<WantedRow> wanted_;
+    std::vector<Index> wanted_indices_;
+    std::vector<PivotRow> pivots_;
+    std::vector<Word> multiplier_;
+};
+
+} // namespace
+
+std::unique_ptr<BatchReducer> make_batch_reducer(const algebra::PrimeField& field,
+                                                 const Basis<Element>& basis, std::size_t generator_count,
+                                                 base::Run& run) {
+    switch (basis.layout().words()) {
+    case 1:
+        return std::make_unique<StoreBatchReducer<1>>(field, basis, generator_count, run);
+    case 2:
+        return std::make_unique<StoreBatchReducer<2>>(field, basis, generator_count, run);
+    case 3:
+        return std::make_unique<StoreBatchReducer<3>>(field, basis, generator_count, run);
+    default:
+        return std::make_unique<StoreBatchReducer<0>>(field, basis, generator_count, run);
+    }
+}
+
+} // namespace eliminant::groebner

@@ -1,0 +1,68 @@
+#include "f4_computation.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace eliminant::groebner {
+
+F4Computation::F4Computation(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
+                             const BuchbergerOptions& options, base::Run& run, std::vector<F4Round>* rounds)
+    : Computation(algebra::PrimeDomain{ring.field().prime_field()}, ring, generators, options, run, true),
+      rounds_(rounds) {}
+
+void F4Computation::step() {
+    const std::vector<CriticalPair> pairs = queue_.best_batch();
+    widening_if_needed([&] { treat_batch(pairs); });
+}
+
+void F4Computation::layout_changed() {
+    batch_reducer_.reset();
+    Computation::layout_changed();
+}
+
+BatchReducer& F4Computation::batch_reducer() {
+    if (!batch_reducer_) batch_reducer_ = make_batch_reducer(domain_.field, basis_, generators_.size(), run_);
+    return *batch_reducer_;
+}
+
+void F4Computation::treat_batch(const std::vector<CriticalPair>& pairs) {
+    F4Round record;
+    Batch batch = batch_reducer().reduce(pairs, generators_, rounds_ ? &record : nullptr);
+    if (rounds_) rounds_->push_back(std::move(record));
+    std::uint64_t sugar = 0;
+    std::uint64_t treated = 0;
+    for (const CriticalPair& pair : pairs) {
+        const bool is_generator = pair.first == CriticalPair::generator;
+        treated += is_generator ? 0 : 1;
+        sugar = std::max(sugar, is_generator ? generators_[pair.second].sugar : pair.sugar);
+    }
+    queue_.remove_best(pairs.size());
+    Statistics& statistics = result_.statistics;
+    statistics.pairs_treated += treated;
+    statistics.zero_reductions += treated - std::min<std::uint64_t>(treated, batch.found.size());
+    ++statistics.matrices;
+    if (batch.rows * batch.columns > statistics.largest_matrix_rows * statistics.largest_matrix_columns) {
+        statistics.largest_matrix_rows = batch.rows;
+        statistics.largest_matrix_columns = batch.columns;
+    }
+    // Descending: where one leading monomial divides another, the larger one comes first and is then
+    // superseded, as the criteria expect.
+    for (TermList<Element>& terms : batch.found) {
+        if (!stopped_) insert(widened(std::move(terms), *layout_), sugar);
+    }
+}
+
+void F4Computation::reduce_tails(std::span<const std::size_t> minimal) {
+    if (minimal.empty()) return;
+    F4Round record;
+    Batch batch;
+    while (!widening_if_needed(
+        [&] { batch = batch_reducer().reduce_tails(minimal, rounds_ ? &record : nullptr); })) {
+    }
+    if (rounds_) rounds_->push_back(std::move(record));
+    // Found in descending sequence, one for each.
+    for (std::size_t i = 0; i < minimal.size(); ++i)
+        basis_.replace(minimal[minimal.size() - 1 - i], std::move(batch.found[i]), 0);
+}
+
+} // namespace eliminant::groebner
