@@ -1,0 +1,69 @@
+#include "field/batch.hpp"
+
+#include "eliminant/base/error.hpp"
+
+#include "field/batch_units.hpp"
+#include "field/compiled_data.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace eliminant::field {
+
+namespace {
+
+template <class Real>
+void check_lengths(const PointArrays<Real>& points, const JetArrays<Real>& jets, bool needs_z) {
+    const std::size_t count = points.x.size();
+    const auto fits = [&](const auto& span) { return span.size() == count; };
+    if (fits(points.y) && (fits(points.z) || (points.z.empty() && !needs_z)) && fits(jets.value) &&
+        std::ranges::all_of(jets.gradient, fits) && std::ranges::all_of(jets.hessian, fits))
+        return;
+    throw base::DomainError("evaluating a batch: expected all spans as long as that of x, which has " +
+                            std::to_string(count) + " elements");
+}
+
+template <class Real>
+void evaluate_batch(base::VectorUnit unit, const CompiledPolynomial& f, const Real* coefficients,
+                    const PointArrays<Real>& points, const JetArrays<Real>& jets) {
+    const CompiledData& data = f.data();
+    check_lengths(points, jets, data.exact.degree(2) > 0);
+    // Without z, any numbers do in its place: its powers do not occur.
+    const std::span<const Real> z = points.z.empty() ? points.x : points.z;
+    BatchArrays<Real> arrays{{points.x.data(), points.y.data(), z.data()}, {jets.value.data()}};
+    for (std::size_t i = 0; i < 3; ++i) arrays.jet[at_x + i] = jets.gradient[i].data();
+    for (std::size_t i = 0; i < 6; ++i) arrays.jet[at_xx + i] = jets.hessian[i].data();
+    const std::size_t count = points.x.size();
+    switch (unit) {
+#if defined(__x86_64__)
+    case base::VectorUnit::avx512:
+        return batch_avx512(data.view, coefficients, arrays, count);
+    case base::VectorUnit::avx2:
+        return batch_avx2(data.view, coefficients, arrays, count);
+#endif
+    default: // on arm64 the portable kernel's vectors are those of NEON
+        return batch_portable(data.view, coefficients, arrays, count);
+    }
+}
+
+} // namespace
+
+void evaluate_with(base::VectorUnit unit, const CompiledPolynomial& f, const PointArrays<double>& points,
+                   const JetArrays<double>& jets) {
+    evaluate_batch(unit, f, f.data().coefficients.data(), points, jets);
+}
+
+void evaluate_with(base::VectorUnit unit, const CompiledPolynomial& f, const PointArrays<float>& points,
+                   const JetArrays<float>& jets) {
+    evaluate_batch(unit, f, f.data().floats.data(), points, jets);
+}
+
+void CompiledPolynomial::evaluate(const PointArrays<double>& points, const JetArrays<double>& jets) const {
+    evaluate_with(base::best_vector_unit(), *this, points, jets);
+}
+
+void CompiledPolynomial::evaluate(const PointArrays<float>& points, const JetArrays<float>& jets) const {
+    evaluate_with(base::best_vector_unit(), *this, points, jets);
+}
+
+} // namespace eliminant::field

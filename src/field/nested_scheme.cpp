@@ -1,0 +1,151 @@
+#include "field/nested_scheme.hpp"
+
+#include "eliminant/base/error.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace eliminant::field {
+
+namespace {
+
+constexpr std::size_t max_size = std::size_t{1} << 24;
+
+/// What the levels u, v, w stand for: the gcd of all exponents, 1 for a coordinate that does not occur.
+std::uint32_t common_power(std::span<const Exponents> terms, std::size_t coordinate) {
+    std::uint32_t divisor = 0;
+    for (const Exponents& exponents : terms) divisor = std::gcd(divisor, exponents[coordinate]);
+    return std::max(divisor, 1U);
+}
+
+void check_size(std::size_t size) {
+    if (size > max_size)
+        throw base::OverflowError("compiling a polynomial: expected at most 2^24 coefficients in its scheme "
+                                  "of evaluation, found more");
+}
+
+/// The terms as exponents of u, v, w.
+std::vector<Exponents> in_levels(std::span<const Exponents> terms, const NestedScheme& scheme) {
+    std::vector<Exponents> result(terms.begin(), terms.end());
+    for (std::size_t t = 0; t < terms.size(); ++t)
+        for (std::size_t level = 0; level < 3; ++level)
+            result[t][level] = terms[t][scheme.coordinates[level]] / scheme.powers[level];
+    return result;
+}
+
+/// Lays out rows and lines so that each is as short as its terms allow.
+void lay_out(NestedScheme& scheme, std::span<const Exponents> terms) {
+    const auto degree = [&](std::size_t level) {
+        std::uint32_t most = 0;
+        for (const Exponents& e : terms) most = std::max(most, e[level]);
+        return most;
+    };
+    const std::uint32_t top = degree(0);
+    check_size(top);
+    scheme.rows.assign(terms.empty() ? 0 : top + 1, {});
+    for (const Exponents& e : terms) {
+        std::uint32_t& count = scheme.rows[top - e[0]].count;
+        count = std::max(count, e[1] + 1);
+    }
+    std::size_t lines = 0;
+    for (NestedScheme::Row& row : scheme.rows) {
+        row.first = static_cast<std::uint32_t>(lines);
+        lines += row.count;
+        check_size(lines);
+    }
+    scheme.lines.assign(lines, {});
+    const auto line_of = [&](const Exponents& e) -> NestedScheme::Line& {
+        const NestedScheme::Row& row = scheme.rows[top - e[0]];
+        return scheme.lines[row.first + row.count - 1 - e[1]];
+    };
+    for (const Exponents& e : terms) {
+        std::uint32_t& count = line_of(e).count;
+        count = std::max(count, e[2] + 1);
+    }
+    for (NestedScheme::Line& line : scheme.lines) {
+        line.first = static_cast<std::uint32_t>(scheme.size);
+        scheme.size += line.count;
+        check_size(scheme.size);
+    }
+    for (const Exponents& e : terms) {
+        const NestedScheme::Line& line = line_of(e);
+        scheme.slots.push_back(line.first + line.count - 1 - e[2]);
+    }
+}
+
+/// Notes what the partial sums depend on: derivatives that are still zero are not carried along.
+void note_dependence(NestedScheme& scheme) {
+    bool v = false;
+    bool w = false;
+    for (NestedScheme::Row& row : scheme.rows) {
+        row.v_before = v;
+        row.w_before = w;
+        bool w_in_row = false;
+        for (std::uint32_t i = 0; i < row.count; ++i) {
+            NestedScheme::Line& line = scheme.lines[row.first + i];
+            line.w_before = w_in_row;
+            w_in_row = w_in_row || line.count > 1;
+        }
+        v = v || row.count > 1;
+        w = w || w_in_row;
+    }
+}
+
+} // namespace
+
+SchemeView NestedScheme::view() const {
+    SchemeView result{rows.data(), rows.data() + rows.size(), lines.data(), {}, {}};
+    for (std::size_t level = 0; level < 3; ++level) {
+        result.coordinates[level] = coordinates[level];
+        result.powers[level] = powers[level];
+    }
+    return result;
+}
+
+std::size_t NestedScheme::cost() const {
+    std::size_t steps = 0;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        const Row& row = rows[r];
+        if (r > 0) // value and two derivatives in u; more for each of v, w
+            steps += 3U + (row.v_before ? 3U : 0U) + (row.w_before ? 3U : 0U) +
+                     (row.v_before && row.w_before ? 1U : 0U);
+        for (std::uint32_t i = 0; i < row.count; ++i) {
+            const Line& line = lines[row.first + i];
+            if (i > 0) steps += 3U + (line.w_before ? 3U : 0U);
+            if (line.count > 0) steps += 3U * (line.count - 1U) + 1U;
+        }
+    }
+    for (const std::uint32_t power : powers)
+        if (power > 1) steps += 5U + power;
+    return steps;
+}
+
+std::size_t NestedScheme::roundings() const {
+    Exponents longest = {};
+    longest[0] = static_cast<std::uint32_t>(rows.size());
+    for (const Row& row : rows) longest[1] = std::max(longest[1], row.count);
+    for (const Line& line : lines) longest[2] = std::max(longest[2], line.count);
+    std::size_t sum = 16; // the coefficient, the products of the chain rule
+    for (std::size_t level = 0; level < 3; ++level)
+        sum += longest[level] * (2U + (powers[level] - 1U)) + 2U * powers[level];
+    return sum;
+}
+
+NestedScheme make_nested_scheme(std::span<const Exponents> terms) {
+    NestedScheme best;
+    std::array<std::uint8_t, 3> sequence = {0, 1, 2};
+    bool first = true;
+    do {
+        NestedScheme scheme;
+        scheme.coordinates = sequence;
+        for (std::size_t level = 0; level < 3; ++level)
+            scheme.powers[level] = common_power(terms, sequence[level]);
+        lay_out(scheme, in_levels(terms, scheme));
+        note_dependence(scheme);
+        if (first || scheme.cost() < best.cost()) best = std::move(scheme);
+        first = false;
+    } while (std::ranges::next_permutation(sequence).found);
+    return best;
+}
+
+} // namespace eliminant::field
