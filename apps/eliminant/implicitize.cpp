@@ -156,16 +156,18 @@ class ImplicitizeCommand : public Command {
         case MethodName::groebner:
             return Method::groebner;
         case MethodName::linear:
+            return Method::linear;
         case MethodName::resultant:
             break;
         }
-        throw UsageError("--method: this version has auto and groebner only");
+        throw UsageError("--method: this version has auto, groebner and linear only");
     }
 
     static void describe(const ImplicitResult& result, Session& session) {
         Console& console = session.console();
         for (const std::string& note : result.notes) console.detail("note: " + note);
         console.detail("method: " + std::string(to_string(result.method)));
+        if (!result.choice.empty()) console.detail(result.choice);
         console.detail("assurance: " + std::string(to_string(result.assurance)) + ": " + result.proof);
         console.detail("primes used: " + std::to_string(result.statistics.primes_used));
         console.detail(statistics_line(result.statistics.basis, session.seconds()));

@@ -135,35 +135,43 @@ Ring closure_ring(const Parametrization& parametrization, const MonomialOrder& o
     return {algebra::CoefficientField::rationals(), std::move(names), product};
 }
 
-std::vector<Polynomial> dehomogenized(const ProjectiveMap& map, const GradedMap& graded,
-                                      std::span<const Polynomial> kernel, const Ring& ring, base::Run& run) {
-    const std::vector<std::size_t> coordinates = indices_below(map.scales.size());
-    // A coordinate x is n/d times the one of the kernel, so x·d/n takes its place.
+Polynomial with_scales(const Polynomial& f, std::span<const Scale> scales, base::Run& run) {
+    const Ring& ring = f.ring();
+    const std::vector<std::size_t> coordinates = indices_below(scales.size());
+    // A coordinate x is n/d times the one of f, so x·d/n takes its place.
     std::vector<Powers> numerators;
     std::vector<Powers> denominators;
-    for (const Scale& scale : map.scales) {
+    for (const Scale& scale : scales) {
         numerators.emplace_back(scale.numerator.in_ring(ring));
         denominators.emplace_back(scale.denominator.in_ring(ring));
     }
+    std::vector<CoefficientTerm> terms = coefficients(f, coordinates);
+    for (CoefficientTerm& term : terms) {
+        run.poll();
+        for (const std::size_t j : coordinates) {
+            const std::uint64_t exponent = term.exponents[j];
+            const auto degree = static_cast<std::uint64_t>(f.degree(j));
+            term.coefficient *= denominators[j](exponent) * numerators[j](degree - exponent);
+        }
+    }
+    return normalized(from_coefficients(ring, coordinates, terms), coordinates, run);
+}
+
+std::vector<Polynomial> dehomogenized(const ProjectiveMap& map, const GradedMap& graded,
+                                      std::span<const Polynomial> kernel, const Ring& ring, base::Run& run) {
+    const std::size_t coordinates = map.scales.size();
     std::vector<Polynomial> result;
     for (const Polynomial& f : kernel) {
-        std::vector<CoefficientTerm> terms;
+        algebra::PolynomialBuilder builder(ring);
         for (std::size_t i = 0; i < f.size(); ++i) {
             run.poll();
-            std::vector<std::uint64_t> constants(ring.variable_count(), 0);
+            std::vector<std::uint64_t> exponents(ring.variable_count(), 0);
+            for (std::size_t j = 0; j < coordinates; ++j) exponents[j] = f.exponent(i, graded.images[j + 1]);
             for (std::size_t j = 0; j < graded.constants.size(); ++j)
-                constants[coordinates.size() + j] = f.exponent(i, graded.constants[j]);
-            CoefficientTerm term{{}, Polynomial::term(Monomial(ring, constants), f.coefficient(i))};
-            for (const std::size_t j : coordinates) {
-                const std::size_t variable = graded.images[j + 1];
-                const std::uint64_t exponent = f.exponent(i, variable);
-                const auto degree = static_cast<std::uint64_t>(f.degree(variable));
-                term.exponents.push_back(exponent);
-                term.coefficient *= denominators[j](exponent) * numerators[j](degree - exponent);
-            }
-            terms.push_back(std::move(term));
+                exponents[coordinates + j] = f.exponent(i, graded.constants[j]);
+            builder.add(f.integer_terms().coefficients[i], exponents);
         }
-        result.push_back(normalized(from_coefficients(ring, coordinates, terms), coordinates, run));
+        result.push_back(with_scales(builder.build(), map.scales, run));
     }
     return result;
 }

@@ -12,6 +12,10 @@ namespace eliminant::implicit {
 /// ℚ[coordinates, constants] in the product of `order` on the coordinates and degrevlex on the constants.
 algebra::Ring closure_ring(const Parametrization& parametrization, const algebra::MonomialOrder& order);
 
+/// An equation, in a closure_ring(), between coordinates of which each is to be multiplied by its scale: the
+/// equation between the products, cleared to integers, without factors in ℤ[constants].
+algebra::Polynomial with_scales(const algebra::Polynomial& f, std::span<const Scale> scales, base::Run& run);
+
 /// Elements of the kernel with 1 for the homogenising variables, and in the coordinates as they were before
 /// the scales were taken out; of `ring`, cleared to integers, without factors in ℤ[constants].
 std::vector<algebra::Polynomial> dehomogenized(const ProjectiveMap& map, const GradedMap& graded,

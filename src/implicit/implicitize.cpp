@@ -2,7 +2,9 @@
 
 #include "implicit/closure.hpp"
 #include "implicit/domain.hpp"
+#include "implicit/hypersurface.hpp"
 #include "implicit/kernel.hpp"
+#include "implicit/verify_hypersurface.hpp"
 
 #include <utility>
 
@@ -42,7 +44,8 @@ bool is_graph(const Parametrization& parametrization, const ProjectiveMap& map) 
 class Implicitization {
   public:
     Implicitization(const Parametrization& parametrization, const ImplicitizeOptions& options, base::Run& run)
-        : parametrization_(parametrization), run_(run), map_(over_common_denominator(parametrization, run)),
+        : parametrization_(parametrization), method_(options.method), run_(run),
+          map_(over_common_denominator(parametrization, run)),
           hypersurface_ring_(closure_ring(parametrization, MonomialOrder::degrevlex())),
           several_ring_(closure_ring(parametrization, options.order)),
           result_{hypersurface_ring_,         {},           0, Method::groebner, Assurance::proved, {},
@@ -66,6 +69,7 @@ class Implicitization {
             warn(dense_warning);
             return;
         }
+        if (dimension + 1 == n && by_method_for_hypersurfaces()) return;
         const GradedMap graded = graded_map(parametrization_, map_, {});
         const auto codimension = dimension + 1 == n ? Codimension::one_at_most : Codimension::unknown;
         const Kernel kernel = kernel_by_primes(graded, codimension, run_);
@@ -78,6 +82,46 @@ class Implicitization {
         result_.proof +=
             "; coefficients from images modulo primes whose product exceeds twice the bound of what "
             "has to vanish";
+    }
+
+    /// Whether the method that was asked for, if it is one for hypersurfaces, found the equation; it is
+    /// proved.
+    bool by_method_for_hypersurfaces() {
+        const HypersurfaceMethod method = hypersurface_method(method_);
+        if (method == nullptr) return false;
+        const RationalMap map = rational_map();
+        const ScaledProblem scaled = hypersurface_problem(map, hypersurface_ring_, run_);
+        const std::optional<HypersurfaceEquation> found = method(scaled.problem, run_);
+        if (!found) {
+            result_.choice =
+                "the method " + std::string(to_string(method_)) + " gave up: elimination instead";
+            return false;
+        }
+        Polynomial f = with_scales(found->equation, scaled.scales, run_);
+        const auto proof = prove_hypersurface(map, f, run_);
+        if (!proof) {
+            result_.choice = "what the method " + std::string(to_string(method_)) +
+                             " found could not be proved: elimination instead";
+            return false;
+        }
+        result_.equations.push_back(std::move(f));
+        result_.codimension = 1;
+        result_.method = method_;
+        result_.proof = hypersurface_theorem;
+        result_.choice = found->how;
+        result_.statistics.primes_used = found->primes_used;
+        if (!is_graph(parametrization_, map_)) result_.notes.emplace_back(closure_note);
+        return true;
+    }
+
+    RationalMap rational_map() {
+        std::vector<CosineSine> rotations;
+        for (const auto& [cosine, sine] : parametrization_.rotations()) rotations.emplace_back(cosine, sine);
+        std::vector<algebra::RationalFunction> functions;
+        for (const Coordinate& coordinate : parametrization_.coordinates())
+            functions.push_back(coordinate.value);
+        return implicit::rational_map(parametrization_.ring(), parametrization_.constants(), rotations,
+                                      functions, run_);
     }
 
     void with_relations() {
@@ -122,6 +166,7 @@ class Implicitization {
     void warn(const char* sentence) { result_.warnings.emplace_back(sentence); }
 
     const Parametrization& parametrization_;
+    Method method_; ///< as asked for
     base::Run& run_;
     ProjectiveMap map_;
     algebra::Ring hypersurface_ring_;
@@ -131,7 +176,17 @@ class Implicitization {
 
 } // namespace
 
-std::string_view to_string(Method method) { return method == Method::automatic ? "auto" : "groebner"; }
+std::string_view to_string(Method method) {
+    switch (method) {
+    case Method::automatic:
+        return "auto";
+    case Method::groebner:
+        return "groebner";
+    case Method::linear:
+        return "linear";
+    }
+    return "";
+}
 
 std::string_view to_string(Assurance assurance) {
     return assurance == Assurance::proved ? "proved" : "probable";

@@ -17,34 +17,6 @@ using Element = PrimeField::Element;
 
 namespace {
 
-/// f = unit · content · primitive, the content in ℤ[constants]; all parts of 0 are 1, 1 and 0.
-struct Parts {
-    mpq_class unit;
-    Polynomial content;
-    Polynomial primitive;
-};
-
-Parts split(const Polynomial& f, const Parametrization& parametrization, base::Run& run) {
-    const Polynomial one = Polynomial::constant(f.ring(), 1);
-    if (f.is_zero()) return {1, one, f};
-    if (parametrization.constants().empty()) {
-        const Polynomial primitive = f.primitive_part();
-        return {f.leading_coefficient() / primitive.leading_coefficient(), one, primitive};
-    }
-    Polynomial content = algebra::content(f, parametrization.parameters(), run);
-    Polynomial primitive = divide_exactly(f, content, run).primitive_part();
-    mpq_class unit =
-        f.leading_coefficient() / (content.leading_coefficient() * primitive.leading_coefficient());
-    return {std::move(unit), std::move(content), std::move(primitive)};
-}
-
-Scale quotient_of(const Parts& a, const Parts& b, base::Run& run) {
-    const Polynomial common = gcd(a.content, b.content, run);
-    const mpq_class unit = a.unit / b.unit;
-    return {divide_exactly(a.content, common, run).scaled(mpq_class(unit.get_num())),
-            divide_exactly(b.content, common, run).scaled(mpq_class(unit.get_den()))};
-}
-
 /// Values at which the rotations hold: on each circle the point of a random half-angle.
 std::vector<Element> random_point(const Parametrization& parametrization, const PrimeField& field,
                                   std::mt19937_64& random) {
@@ -118,6 +90,28 @@ class Differential {
 
 } // namespace
 
+Parts split(const Polynomial& f, std::span<const std::size_t> parameters,
+            std::span<const std::size_t> constants, base::Run& run) {
+    const Polynomial one = Polynomial::constant(f.ring(), 1);
+    if (f.is_zero()) return {1, one, f};
+    if (constants.empty()) {
+        const Polynomial primitive = f.primitive_part();
+        return {f.leading_coefficient() / primitive.leading_coefficient(), one, primitive};
+    }
+    Polynomial content = algebra::content(f, parameters, run);
+    Polynomial primitive = divide_exactly(f, content, run).primitive_part();
+    mpq_class unit =
+        f.leading_coefficient() / (content.leading_coefficient() * primitive.leading_coefficient());
+    return {std::move(unit), std::move(content), std::move(primitive)};
+}
+
+Scale quotient_of(const Parts& a, const Parts& b, base::Run& run) {
+    const Polynomial common = gcd(a.content, b.content, run);
+    const mpq_class unit = a.unit / b.unit;
+    return {divide_exactly(a.content, common, run).scaled(mpq_class(unit.get_num())),
+            divide_exactly(b.content, common, run).scaled(mpq_class(unit.get_den()))};
+}
+
 ProjectiveMap over_common_denominator(const Parametrization& parametrization, base::Run& run) {
     const std::vector<Polynomial> circles = parametrization.rotation_relations();
     const auto reduce = [&](const Polynomial& f) {
@@ -134,12 +128,14 @@ ProjectiveMap over_common_denominator(const Parametrization& parametrization, ba
         denominator = lcm(denominator, fractions.back().second, run);
     }
     // Fractions in lowest terms over the lcm of their denominators have no common factor.
-    const Parts bottom = split(reduce(denominator), parametrization, run);
+    const Parts bottom =
+        split(reduce(denominator), parametrization.parameters(), parametrization.constants(), run);
     ProjectiveMap map;
     map.forms.push_back(bottom.primitive);
     for (const auto& [n, d] : fractions) {
         const Polynomial numerator = multiply(n, divide_exactly(denominator, d, run), run);
-        const Parts top = split(reduce(numerator), parametrization, run);
+        const Parts top =
+            split(reduce(numerator), parametrization.parameters(), parametrization.constants(), run);
         map.forms.push_back(top.primitive);
         map.scales.push_back(quotient_of(top, bottom, run));
     }

@@ -4,6 +4,7 @@
 #include "eliminant/implicit/parametrization.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace eliminant::implicit {
@@ -24,6 +25,20 @@ struct ProjectiveMap {
     std::vector<algebra::Polynomial> forms; ///< in the ring of the parametrization
     std::vector<Scale> scales;
 };
+
+/// f = unit · content · primitive, the content in ℤ[constants]; all parts of 0 are 1, 1 and 0.
+struct Parts {
+    mpq_class unit;
+    algebra::Polynomial content;
+    algebra::Polynomial primitive;
+};
+
+/// \param parameters, constants the variables
+Parts split(const algebra::Polynomial& f, std::span<const std::size_t> parameters,
+            std::span<const std::size_t> constants, base::Run& run);
+
+/// The quotient of the factors of a and b that are in the field of constants.
+Scale quotient_of(const Parts& a, const Parts& b, base::Run& run);
 
 ProjectiveMap over_common_denominator(const Parametrization& parametrization, base::Run& run);
 

@@ -18,9 +18,10 @@ namespace eliminant::implicit {
 enum class Method {
     automatic, ///< chosen from the shape of the input; never the method of a result
     groebner,  ///< elimination of the parameters by Groebner bases
+    linear,    ///< linear algebra on values of monomials at points of the image; for hypersurfaces
 };
 
-/// The name on the command line: `auto`, `groebner`.
+/// The name on the command line: `auto`, `groebner`, `linear`.
 std::string_view to_string(Method method);
 
 /// How sure a result is.
@@ -34,6 +35,8 @@ std::string_view to_string(Assurance assurance);
 
 /// What implicitize() may be asked for.
 struct ImplicitizeOptions {
+    /// One for hypersurfaces only is replaced by elimination where the image is none, or where it gives up;
+    /// ImplicitResult::method and `choice` tell.
     Method method = Method::automatic;
     /// Of the reduced basis where there are several equations; on the coordinates alone.
     algebra::MonomialOrder order = algebra::MonomialOrder::degrevlex();
@@ -69,6 +72,7 @@ struct ImplicitResult {
     /// What holds of most answers and is easily forgotten, a sentence each: that a closure may be larger than
     /// an image.
     std::vector<std::string> notes = {};
+    std::string choice = {}; ///< Why this method, and what it did, where there is something to say.
 };
 
 /// The equations of the (Zariski) closure of the image of a parametrization, over the algebraic closure of

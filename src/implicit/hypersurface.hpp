@@ -1,0 +1,56 @@
+// Images of codimension one: what the methods for them are asked, and what they answer.
+#pragma once
+
+#include "eliminant/implicit/implicitize.hpp"
+#include "implicit/projective_map.hpp"
+#include "implicit/verify_map.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eliminant::implicit {
+
+/// A map whose image closure is a hypersurface, unless the differential was unlucky at every point that was
+/// tried. Its equation f is irreducible: image and domain are.
+struct HypersurfaceProblem {
+    /// Numerators and denominator are primitive over ℤ[constants]: scales are taken out of the coordinates.
+    RationalMap map;
+    /// One variable a component of the map: coordinates, then constants. The ring of the equation.
+    algebra::Ring ring;
+};
+
+/// An answer, still to be proved: the proof is one for all methods (verify_hypersurface.hpp).
+struct HypersurfaceEquation {
+    algebra::Polynomial equation; ///< primitive, in the ring of the problem
+    std::uint64_t primes_used;
+    std::string how; ///< what the method did, for the curious: sizes and degrees
+};
+
+/// A method: nullopt if it is not made for the problem or meets its limits, so that another one is tried.
+/// \throws Stopped
+using HypersurfaceMethod = std::optional<HypersurfaceEquation> (*)(const HypersurfaceProblem&, base::Run&);
+
+/// The method of that name; null for those that are no methods for hypersurfaces alone.
+HypersurfaceMethod hypersurface_method(Method method);
+
+/// The problem of a map, and the scales x = (numerator/denominator)·x′ of its coordinates.
+struct ScaledProblem {
+    HypersurfaceProblem problem;
+    std::vector<Scale> scales;
+};
+ScaledProblem hypersurface_problem(const RationalMap& map, const algebra::Ring& ring, base::Run& run);
+
+/// The image of the equation modulo a prime, monic in `ring.with_field(p)`; nullopt if the prime turns out to
+/// be of no use. Called for several primes at the same time.
+using ImageModulo = std::function<std::optional<algebra::Polynomial>(const algebra::PrimeField& field)>;
+
+/// Puts an equation together from its images modulo the primes below `prime_bound`, from the greatest down,
+/// until what is reconstructed agrees with the image modulo one prime more. nullopt if `max_useless` primes
+/// are of no use.
+std::optional<HypersurfaceEquation> equation_from_images(const algebra::Ring& ring, std::uint64_t prime_bound,
+                                                         const ImageModulo& image, base::Run& run);
+
+} // namespace eliminant::implicit

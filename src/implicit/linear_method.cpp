@@ -1,0 +1,96 @@
+#include "implicit/linear_method.hpp"
+
+#include "implicit/nullvector.hpp"
+#include "implicit/vanishing_polynomial.hpp"
+#include "implicit/verify_map_modulo.hpp"
+
+#include <algorithm>
+
+namespace eliminant::implicit {
+
+using algebra::Integer;
+using algebra::Polynomial;
+using algebra::PrimeField;
+
+namespace {
+
+constexpr std::size_t max_terms = 6000;
+
+/// The degree of a coordinate as a map of parameter space: how fast it grows.
+std::uint64_t weight_of(const RationalMap& map, const RationalMap::Component& component) {
+    std::int64_t degree = component.numerator.total_degree();
+    if (component.over_denominator) degree = std::max(degree, map.denominator.total_degree());
+    return static_cast<std::uint64_t>(std::max<std::int64_t>(degree, 1));
+}
+
+Polynomial polynomial_of(const algebra::Ring& ring, const Support& support,
+                         const Coefficients& coefficients) {
+    algebra::PolynomialBuilder builder(ring);
+    std::vector<std::uint64_t> exponents(support.coordinates());
+    for (std::size_t i = 0; i < coefficients.size(); ++i) {
+        if (coefficients[i] == 0) continue;
+        std::ranges::copy(support[i], exponents.begin());
+        builder.add(Integer(coefficients[i]), exponents);
+    }
+    return builder.build().monic();
+}
+
+class LinearMethod {
+  public:
+    LinearMethod(const HypersurfaceProblem& problem, base::Run& run) : problem_(problem), run_(run) {
+        for (const RationalMap::Component& component : problem.map.components)
+            weights_.push_back(weight_of(problem.map, component));
+    }
+
+    std::optional<Polynomial> image(const PrimeField& field) {
+        const MapModulo map(problem_.map, field);
+        algebra::Random random(run_.seed() + field.characteristic());
+        const PointSource points = [&] { return random_image(map, random); };
+        const algebra::Ring ring =
+            problem_.ring.with_field(algebra::CoefficientField::prime(field.characteristic()));
+        if (support_.size() == 0) return learn(field, points, ring);
+        const auto coefficients = first_vanishing(field, support_, points, run_);
+        if (!coefficients || coefficients->size() != support_.size()) return std::nullopt;
+        return polynomial_of(ring, support_, *coefficients);
+    }
+
+  private:
+    static std::optional<std::vector<std::uint32_t>> random_image(const MapModulo& map,
+                                                                  algebra::Random& random) {
+        constexpr int attempts = 50;
+        for (int i = 0; i < attempts; ++i)
+            if (auto point = map.image(map.random_point(random))) return point;
+        return std::nullopt;
+    }
+
+    std::optional<Polynomial> learn(const PrimeField& field, const PointSource& points,
+                                    const algebra::Ring& ring) {
+        std::size_t size = 0;
+        for (std::uint64_t degree = 1; size < max_terms; degree = degree + (degree + 3) / 4) {
+            size = Support::count_up_to(weights_, degree, max_terms);
+            const Support candidates = Support::up_to(weights_, degree);
+            const auto coefficients = first_vanishing(field, candidates, points, run_);
+            if (!coefficients) continue;
+            support_ = candidates.where_nonzero(*coefficients);
+            return polynomial_of(ring, candidates, *coefficients);
+        }
+        return std::nullopt;
+    }
+
+    const HypersurfaceProblem& problem_;
+    base::Run& run_;
+    std::vector<std::uint64_t> weights_;
+    Support support_{0};
+};
+
+} // namespace
+
+std::optional<HypersurfaceEquation> equation_by_linear_algebra(const HypersurfaceProblem& problem,
+                                                               base::Run& run) {
+    LinearMethod method(problem, run);
+    return equation_from_images(
+        problem.ring, Echelon::prime_bound, [&](const PrimeField& field) { return method.image(field); },
+        run);
+}
+
+} // namespace eliminant::implicit

@@ -1,0 +1,24 @@
+// The inner loop of dense elimination modulo a prime, for each vector unit.
+#pragma once
+
+#include "base/vector_unit.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace eliminant::implicit {
+
+/// sums[j] += Σ factors[i]·rows[i][j] for 0 ≤ j < count and four rows; the caller knows that no sum
+/// overflows.
+using RowCombination = void (*)(std::uint64_t* sums, const std::uint32_t* const rows[4],
+                                const std::uint32_t factors[4], std::size_t count);
+
+/// The loop for a vector unit; the portable one where there is none of its own.
+RowCombination row_combination(base::VectorUnit unit);
+
+void combine_rows_avx2(std::uint64_t* sums, const std::uint32_t* const rows[4],
+                       const std::uint32_t factors[4], std::size_t count);
+void combine_rows_avx512(std::uint64_t* sums, const std::uint32_t* const rows[4],
+                         const std::uint32_t factors[4], std::size_t count);
+
+} // namespace eliminant::implicit

@@ -1,0 +1,159 @@
+#include "implicit/verify_irreducible.hpp"
+
+#include "algebra/random.hpp"
+#include "algebra/univariate_mod_p.hpp"
+#include "implicit/verify_values.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace eliminant::implicit {
+
+using algebra::Polynomial;
+using algebra::PrimeField;
+namespace dense = algebra::dense;
+using dense::Element;
+using dense::Vector;
+
+namespace {
+
+/// Residue classes modulo a monic polynomial f over GF(p), p below 2^20: sums of products, of less than 2^40
+/// each, fit in 64 bits for every degree below 2^23.
+class ResidueClasses {
+  public:
+    ResidueClasses(const PrimeField& field, const Vector& f) : field_(field), f_(f), sums_(2 * f.size()) {}
+
+    Vector power(const Vector& a, std::uint64_t exponent) {
+        Vector result = a;
+        unsigned bit = 63U - static_cast<unsigned>(__builtin_clzll(exponent));
+        while (bit-- > 0) {
+            result = product(result, result);
+            if ((exponent >> bit & 1) != 0) result = product(result, a);
+        }
+        return result;
+    }
+
+  private:
+    Vector product(const Vector& a, const Vector& b) {
+        if (a.empty() || b.empty()) return {};
+        const std::size_t size = a.size() + b.size() - 1;
+        std::fill_n(sums_.begin(), size, 0);
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            const std::uint64_t factor = a[i];
+            for (std::size_t j = 0; j < b.size(); ++j) sums_[i + j] += factor * b[j];
+        }
+        return remainder(size);
+    }
+
+    Vector remainder(std::size_t size) {
+        const std::size_t degree = f_.size() - 1;
+        for (std::size_t i = size; i-- > degree;) {
+            const std::uint64_t factor = field_.negate(field_.reduce(sums_[i]));
+            for (std::size_t j = 0; j < degree; ++j) sums_[i - degree + j] += factor * f_[j];
+        }
+        Vector result(std::min(size, degree));
+        for (std::size_t i = 0; i < result.size(); ++i) result[i] = field_.reduce(sums_[i]);
+        dense::trim(result);
+        return result;
+    }
+
+    const PrimeField& field_;
+    const Vector& f_;
+    std::vector<std::uint64_t> sums_;
+};
+
+} // namespace
+
+std::uint64_t section_prime() {
+    static const std::uint64_t prime = algebra::previous_prime(std::uint64_t{1} << 20);
+    return prime;
+}
+
+std::uint64_t degree_in_coordinates(const Polynomial& f, std::size_t coordinates) {
+    std::uint64_t degree = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        std::uint64_t sum = 0;
+        for (std::size_t j = 0; j < coordinates; ++j) sum += f.exponent(i, j);
+        degree = std::max(degree, sum);
+    }
+    return degree;
+}
+
+namespace {
+
+/// f on lines modulo one prime.
+class Sections {
+  public:
+    Sections(const Polynomial& f, std::size_t coordinates, const PrimeField& field)
+        : field_(field), degree_(degree_in_coordinates(f, coordinates)), values_(f, field) {}
+
+    Vector on(const SectionLine& line, base::Run& run) {
+        constexpr std::size_t lanes = ValuesModulo::lanes;
+        Vector parameters(degree_ + 1);
+        std::iota(parameters.begin(), parameters.end(), Element{0});
+        Vector values;
+        std::vector<ValuesModulo::Lanes> points(line.base.size());
+        for (std::size_t first = 0; first < parameters.size(); first += lanes) {
+            run.poll();
+            for (std::size_t i = 0; i < points.size(); ++i)
+                for (std::size_t lane = 0; lane < lanes; ++lane)
+                    points[i][lane] =
+                        field_.add(line.base[i], field_.multiply(line.direction[i],
+                                                                 field_.reduce(std::uint64_t{first + lane})));
+            const ValuesModulo::Lanes at = values_(points);
+            values.insert(values.end(), at.begin(), at.end());
+        }
+        values.resize(parameters.size());
+        Vector section = dense::interpolate<PrimeField>(field_, parameters, values);
+        if (section.size() != parameters.size()) return {};
+        dense::make_monic(field_, section);
+        return section;
+    }
+
+  private:
+    PrimeField field_;
+    std::uint64_t degree_;
+    ValuesModulo values_;
+};
+
+} // namespace
+
+std::vector<std::uint32_t> restricted_to(const Polynomial& f, std::size_t coordinates,
+                                         const SectionLine& line, base::Run& run) {
+    return Sections(f, coordinates, PrimeField(line.prime)).on(line, run);
+}
+
+bool is_irreducible(const std::vector<std::uint32_t>& f, const PrimeField& field, base::Run& run) {
+    if (f.size() < 2) return false;
+    ResidueClasses classes(field, f);
+    Vector frobenius = {0, 1};
+    for (std::size_t k = 1; 2 * k <= f.size() - 1; ++k) {
+        run.poll();
+        frobenius = classes.power(frobenius, field.characteristic());
+        Vector difference = frobenius;
+        difference.resize(std::max<std::size_t>(difference.size(), 2), 0);
+        difference[1] = field.subtract(difference[1], 1);
+        dense::trim(difference);
+        if (dense::gcd(field, f, difference, run).size() != 1) return false;
+    }
+    return true;
+}
+
+std::optional<SectionLine> irreducible_section(const Polynomial& f, std::size_t coordinates, base::Run& run) {
+    const PrimeField field(section_prime());
+    const std::uint64_t attempts = 40 * (degree_in_coordinates(f, coordinates) + 1);
+    Sections sections(f, coordinates, field);
+    algebra::Random random(run.seed());
+    SectionLine line{field.characteristic(), Vector(f.ring().variable_count()),
+                     Vector(f.ring().variable_count(), 0)};
+    for (std::uint64_t i = 0; i < attempts; ++i) {
+        for (Element& a : line.base) a = random.below(field.characteristic());
+        for (std::size_t j = 0; j < coordinates; ++j)
+            line.direction[j] = random.below(field.characteristic());
+        const Vector section = sections.on(line, run);
+        if (!section.empty() && is_irreducible(section, field, run)) return line;
+    }
+    return std::nullopt;
+}
+
+} // namespace eliminant::implicit

@@ -1,0 +1,47 @@
+// Irreducibility, shown by a line modulo a prime.
+#pragma once
+
+#include "eliminant/algebra/polynomial.hpp"
+#include "eliminant/algebra/prime_field.hpp"
+#include "eliminant/base/run.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace eliminant::implicit {
+
+/// A line a + t·b in the space of coordinates and constants modulo a prime; b is zero at the constants.
+struct SectionLine {
+    std::uint64_t prime; ///< below 2^20
+    std::vector<std::uint32_t> base;
+    std::vector<std::uint32_t> direction;
+};
+
+/// The greatest prime that sections are taken at.
+std::uint64_t section_prime();
+
+/// Largest sum of exponents of the first `coordinates` variables.
+std::uint64_t degree_in_coordinates(const algebra::Polynomial& f, std::size_t coordinates);
+
+/// f on the line, monic, coefficients from the constant up; empty if f loses its degree in the coordinates
+/// there.
+std::vector<std::uint32_t> restricted_to(const algebra::Polynomial& f, std::size_t coordinates,
+                                         const SectionLine& line, base::Run& run);
+
+/// Whether a monic polynomial over GF(p), p below 2^20, is irreducible: the test of Ben-Or (1981), that its
+/// gcd with x^(p^k) − x is 1 for k up to half the degree. A polynomial that is not mostly fails for small k.
+bool is_irreducible(const std::vector<std::uint32_t>& f, const algebra::PrimeField& field, base::Run& run);
+
+/// A line on which f keeps its degree in the coordinates and is irreducible. It proves that f, if it has no
+/// factor in ℤ[constants] alone, is irreducible over ℚ(constants): a factorisation would be one over
+/// ℤ[constants] (Gauss), each factor would keep its degree on the line, and be a factor there.
+///
+/// For an absolutely irreducible f, as the equation of an image of a line, plane or space is, about one line
+/// in deg f will do (its sections have the symmetric group as their monodromy; Chebotarev). nullopt after
+/// forty times as many.
+std::optional<SectionLine> irreducible_section(const algebra::Polynomial& f, std::size_t coordinates,
+                                               base::Run& run);
+
+} // namespace eliminant::implicit

@@ -1,0 +1,170 @@
+#include "implicit/verify_vanishing.hpp"
+
+#include "implicit/verify_map_modulo.hpp"
+#include "implicit/verify_values.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace eliminant::implicit {
+
+using algebra::Integer;
+using algebra::Polynomial;
+using algebra::PrimeField;
+
+namespace {
+
+mpz_class norm(const Polynomial& f) {
+    mpz_class sum = 0;
+    for (const Integer& c : f.integer_terms().coefficients) sum += abs(c.to_mpz());
+    return sum;
+}
+
+std::uint64_t degree_over_denominator(const RationalMap& map, const Polynomial& f, std::size_t term) {
+    std::uint64_t degree = 0;
+    for (std::size_t i = 0; i < map.components.size(); ++i)
+        if (map.components[i].over_denominator) degree += f.exponent(term, i);
+    return degree;
+}
+
+/// max over the terms of f of Σ exponentᵢ·degreeᵢ, with f₀ in the place of what is missing to degree δ.
+std::uint64_t greatest_degree(const RationalMap& map, const Polynomial& f, std::uint64_t delta,
+                              const std::vector<std::uint64_t>& degrees, std::uint64_t of_denominator) {
+    std::uint64_t greatest = 0;
+    for (std::size_t term = 0; term < f.size(); ++term) {
+        std::uint64_t degree = (delta - degree_over_denominator(map, f, term)) * of_denominator;
+        for (std::size_t i = 0; i < degrees.size(); ++i) degree += f.exponent(term, i) * degrees[i];
+        greatest = std::max(greatest, degree);
+    }
+    return greatest;
+}
+
+std::uint64_t degree_or_zero(std::int64_t degree) {
+    return static_cast<std::uint64_t>(std::max<std::int64_t>(degree, 0));
+}
+
+mpz_class power(const mpz_class& base, std::uint64_t exponent) {
+    mpz_class result;
+    mpz_pow_ui(result.get_mpz_t(), base.get_mpz_t(), exponent);
+    return result;
+}
+
+mpz_class height_bound(const RationalMap& map, const Polynomial& f, std::uint64_t delta) {
+    const mpz_class bottom = norm(map.denominator);
+    std::vector<std::vector<mpz_class>> factors(map.components.size()); // [i][e] = ‖Nᵢ‖^e qᵢ^(δᵢ − e)
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        const std::uint64_t degree = degree_or_zero(f.degree(i));
+        const Polynomial& numerator = map.components[i].numerator;
+        const mpz_class top = norm(numerator);
+        const mpz_class q = numerator.denominator().to_mpz();
+        for (std::uint64_t e = 0; e <= degree; ++e)
+            factors[i].push_back(power(top, e) * power(q, degree - e));
+    }
+    mpz_class sum = 0;
+    for (std::size_t term = 0; term < f.size(); ++term) {
+        mpz_class product = abs(f.integer_terms().coefficients[term].to_mpz());
+        for (std::size_t i = 0; i < factors.size(); ++i) product *= factors[i][f.exponent(term, i)];
+        if (bottom != 1) product *= power(bottom, delta - degree_over_denominator(map, f, term));
+        sum += product;
+    }
+    return sum;
+}
+
+/// The points (start + e₁, start + e₂, …) for e in the set L of the bounds, a line of them at a time.
+class Grid {
+  public:
+    Grid(const RationalMap& map, const Polynomial& f, const VanishingBounds& bounds, const PrimeField& field,
+         base::Run& run)
+        : map_(map, field), values_(f, field), bounds_(bounds), run_(run),
+          inner_(static_cast<std::size_t>(std::ranges::max_element(bounds.degrees) - bounds.degrees.begin())),
+          point_(bounds.degrees.size(), 0), coordinates_(map.components.size()) {}
+
+    /// Whether f is zero at all points; nullopt where the map is not defined at one.
+    std::optional<bool> is_zero(std::uint32_t start) {
+        start_ = start;
+        return is_zero_from(0, bounds_.total_degree);
+    }
+
+  private:
+    std::optional<bool> is_zero_from(std::size_t variable, std::uint64_t rest) {
+        if (variable == point_.size()) return is_zero_on_line(std::min(rest, bounds_.degrees[inner_]));
+        if (variable == inner_) return is_zero_from(variable + 1, rest);
+        for (std::uint64_t e = 0; e <= std::min(rest, bounds_.degrees[variable]); ++e) {
+            point_[variable] = start_ + static_cast<std::uint32_t>(e);
+            const std::optional<bool> zero = is_zero_from(variable + 1, rest - e);
+            if (!zero || !*zero) return zero;
+        }
+        return true;
+    }
+
+    std::optional<bool> is_zero_on_line(std::uint64_t degree) {
+        constexpr std::size_t lanes = ValuesModulo::lanes;
+        run_.poll();
+        const MapModulo::Line line = map_.restricted(point_, inner_);
+        for (std::uint64_t first = 0; first <= degree; first += lanes) {
+            for (std::size_t lane = 0; lane < lanes; ++lane) { // the last lanes may repeat a point
+                const std::uint64_t e = std::min(first + lane, degree);
+                const auto image = map_.image(line, start_ + static_cast<std::uint32_t>(e));
+                if (!image) return std::nullopt;
+                for (std::size_t i = 0; i < coordinates_.size(); ++i) coordinates_[i][lane] = (*image)[i];
+            }
+            for (const std::uint32_t value : values_(coordinates_))
+                if (value != 0) return false;
+        }
+        return true;
+    }
+
+    MapModulo map_;
+    ValuesModulo values_;
+    const VanishingBounds& bounds_;
+    base::Run& run_;
+    std::size_t inner_; ///< the variable that runs along a line
+    std::vector<std::uint32_t> point_;
+    std::vector<ValuesModulo::Lanes> coordinates_;
+    std::uint32_t start_ = 0;
+};
+
+} // namespace
+
+VanishingBounds vanishing_bounds(const RationalMap& map, const Polynomial& f) {
+    std::uint64_t delta = 0;
+    for (std::size_t term = 0; term < f.size(); ++term)
+        delta = std::max(delta, degree_over_denominator(map, f, term));
+    const auto bound = [&](auto&& degree_of) {
+        std::vector<std::uint64_t> degrees;
+        for (const RationalMap::Component& c : map.components)
+            degrees.push_back(degree_or_zero(degree_of(c.numerator)));
+        return greatest_degree(map, f, delta, degrees, degree_or_zero(degree_of(map.denominator)));
+    };
+    VanishingBounds bounds;
+    for (std::size_t i = 0; i < map.ring.variable_count(); ++i)
+        bounds.degrees.push_back(bound([i](const Polynomial& g) { return g.degree(i); }));
+    bounds.total_degree = bound([](const Polynomial& g) { return g.total_degree(); });
+    bounds.height = height_bound(map, f, delta);
+    return bounds;
+}
+
+std::vector<std::uint64_t> vanishing_primes(const RationalMap& map, const mpz_class& height) {
+    std::vector<std::uint64_t> primes;
+    std::uint64_t p = ValuesModulo::prime_bound;
+    for (mpz_class product = 1; product <= height;) {
+        p = algebra::previous_prime(p);
+        const bool divides_denominator = std::ranges::any_of(
+            map.components, [p](const auto& c) { return c.numerator.denominator().residue(p) == 0; });
+        if (divides_denominator) continue;
+        primes.push_back(p);
+        product *= p;
+    }
+    return primes;
+}
+
+bool vanishes_modulo(const RationalMap& map, const Polynomial& f, const VanishingBounds& bounds,
+                     const PrimeField& field, base::Run& run) {
+    Grid grid(map, f, bounds, field, run);
+    // A denominator that is zero at a point of one grid is not so on most others: it has few zeros.
+    for (std::uint32_t start = 1000;;
+         start = static_cast<std::uint32_t>(start * std::uint64_t{48271} % 1000000007))
+        if (const std::optional<bool> zero = grid.is_zero(start)) return *zero;
+}
+
+} // namespace eliminant::implicit
