@@ -1,7 +1,5 @@
 #include "f4_trace.hpp"
 
-#include "eliminant/base/error.hpp"
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -13,6 +11,7 @@ namespace {
 
 using algebra::PrimeField;
 using Coefficients = std::vector<LaneEntry>;
+using PrimesRow = SparseRow<LaneEntry>;
 
 /// Repeats the recorded matrices modulo eight primes. A lane whose computation comes out differently is
 /// *lost*: its coefficients become zero, and the others go on.
@@ -39,13 +38,9 @@ class PackReplay {
     std::vector<std::uint32_t> residues(std::size_t lane) const {
         std::vector<std::uint32_t> result;
         result.reserve(trace_.coefficient_count());
-        const PrimeField& field = fields_[lane];
-        const std::uint32_t from_montgomery =
-            field.inverse(static_cast<std::uint32_t>(primes_.one.lane[lane]));
         const std::size_t count = trace_.basis().elements.size(); // found by the last matrix, descending
         for (std::size_t i = 0; i < count; ++i) {
-            for (const LaneEntry& c : operands_[operands_.size() - 1 - i])
-                result.push_back(field.multiply(c.lane[lane], from_montgomery));
+            for (const LaneEntry& c : operands_[operands_.size() - 1 - i]) result.push_back(c.lane[lane]);
         }
         return result;
     }
@@ -57,13 +52,7 @@ class PackReplay {
     };
 
     static std::vector<PrimeField> fields_of(const LaneEntry& primes) {
-        std::vector<PrimeField> fields;
-        for (const std::uint32_t p : primes.lane) {
-            if (p % 2 == 0)
-                throw DomainError("replay of F4: expected odd primes, found " + std::to_string(p));
-            fields.emplace_back(p);
-        }
-        return fields;
+        return {std::begin(primes.lane), std::end(primes.lane)};
     }
 
     base::Progress progress(const F4Round& round) const {
@@ -88,13 +77,13 @@ class PackReplay {
             for (std::size_t lane = 0; lane < lane_count; ++lane) {
                 const std::uint32_t residue = fields_[lane].from_integer(integers[i]);
                 if (residue == 0) lose(lane, Replay::input_vanishes);
-                result[i].lane[lane] = fields_[lane].multiply(residue, primes_.into.lane[lane]);
+                result[i].lane[lane] = residue;
             }
         }
         return result;
     }
 
-    LaneRow row_of(const F4Round& round, const F4Round::Row& row) const {
+    PrimesRow row_of(const F4Round& round, const F4Round::Row& row) const {
         const Coefficients& coefficients = operands_[row.operand];
         return {round.columns_of_rows.data() + row.begin, coefficients.data(), coefficients.size()};
     }
@@ -105,21 +94,22 @@ class PackReplay {
         columns_.resize(round.column_count);
         coefficients_.resize(round.column_count);
         for (const F4Round::Row& pivot : round.pivots) {
-            const LaneRow row = row_of(round, pivot);
+            const PrimesRow row = row_of(round, pivot);
             by_column_[row.columns[0]] = row;
         }
     }
 
     /// Reduces a row; what is left is in columns_ and coefficients_, so many entries.
-    std::size_t reduce(const LaneRow& row) {
+    std::size_t reduce(const PrimesRow& row) {
         constexpr std::size_t step = 1024; // columns between polls: a few milliseconds
-        kernels_.scatter(primes_, row, dense_.data());
+        for (std::size_t i = 0; i < row.size; ++i)
+            std::ranges::copy(row.coefficients[i].lane, dense_[row.columns[i]].lane);
         std::size_t count = 0;
         for (std::size_t begin = row.columns[0]; begin < dense_.size(); begin += step) {
             run_.poll();
             const std::size_t end = std::min(begin + step, dense_.size());
-            count += kernels_.reduce(primes_, by_column_.data(), begin, end, dense_.data(),
-                                     columns_.data() + count, coefficients_.data() + count);
+            count += kernels_.reduce_primes(primes_, by_column_.data(), begin, end, dense_.data(),
+                                            columns_.data() + count, coefficients_.data() + count, nullptr);
         }
         return count;
     }
@@ -158,9 +148,7 @@ class PackReplay {
         for (std::size_t lane = 0; lane < lane_count; ++lane) {
             if (c.lane[lane] == 0) lose(lane, Replay::leads_differ);
             if (is_lost(lane)) continue;
-            // (xR)⁻¹·R² = x⁻¹R
-            const PrimeField& field = fields_[lane];
-            result.lane[lane] = field.multiply(field.inverse(c.lane[lane]), primes_.into.lane[lane]);
+            result.lane[lane] = fields_[lane].inverse(c.lane[lane]);
         }
         return result;
     }
@@ -206,7 +194,7 @@ class PackReplay {
     std::array<Replay, lane_count> outcomes_;
     std::vector<Coefficients> operands_;
     std::vector<FoundRow> found_; ///< of the present matrix, in the sequence of its rows
-    std::vector<LaneRow> by_column_;
+    std::vector<PrimesRow> by_column_;
     std::vector<LaneSum> dense_;
     std::vector<std::uint32_t> columns_; ///< what reduce() left
     Coefficients coefficients_;

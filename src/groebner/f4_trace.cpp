@@ -16,7 +16,6 @@ std::optional<F4Trace> F4Trace::learn(const algebra::Ring& ring, std::span<const
                                       std::uint64_t p, const BuchbergerOptions& options, base::Run& run) {
     if (options.stop_at || options.degree_bound)
         throw DomainError("trace of F4: the computation must not be stopped early");
-    if (p == 2) throw DomainError("trace of F4: expected an odd prime, found 2");
     check_grading(ring, options);
     F4Trace trace(ring.with_field(algebra::CoefficientField::prime(p)));
     std::vector<Polynomial> images;

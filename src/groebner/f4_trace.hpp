@@ -45,9 +45,9 @@ class F4Trace {
         std::vector<std::uint32_t> coefficients;
     };
 
-    /// Computes the reduced basis modulo an odd prime of generators over ℚ (primitive parts are taken) with
+    /// Computes the reduced basis modulo a prime of generators over ℚ (primitive parts are taken) with
     /// the options of buchberger(), which do not stop it early. Nothing if the prime divides a coefficient.
-    /// Throws DomainError if p is not an odd prime below 2^31, or if a bound or a condition to stop is set.
+    /// Throws DomainError if p is not a prime below 2^31, or if a bound or a condition to stop is set.
     static std::optional<F4Trace> learn(const algebra::Ring& ring,
                                         std::span<const algebra::Polynomial> generators, std::uint64_t p,
                                         const BuchbergerOptions& options, base::Run& run);
@@ -63,7 +63,7 @@ class F4Trace {
     /// Memory held, roughly, in bytes.
     std::size_t size_in_bytes() const;
 
-    /// The images modulo odd primes below 2^31, in their sequence. Eight primes take little longer than one
+    /// The images modulo primes below 2^31, in their sequence. Eight primes take little longer than one
     /// (see lane_kernels.hpp), so give as many as there is use for; packs of eight are shared out over the
     /// threads of the run. Any number of calls may run at the same time. Polls `run`.
     std::vector<Image> replay(std::span<const std::uint32_t> primes, base::Run& run) const;

@@ -1,5 +1,7 @@
 #include "lane_kernels.hpp"
 
+#include <bit>
+
 namespace eliminant::groebner {
 namespace {
 
@@ -24,19 +26,22 @@ inline Vector load(const LaneEntry& x) {
 inline void store(LaneEntry& x, const Vector& v) {
     for (std::size_t i = 0; i < lane_count; ++i) x.lane[i] = static_cast<std::uint32_t>(v.lane[i]);
 }
-inline bool is_zero(const Vector& v) {
-    std::uint64_t any = 0;
-    for (const std::uint64_t lane : v.lane) any |= lane;
-    return any == 0;
+inline Vector load(const std::uint32_t& x) {
+    return per_lane([&](std::size_t) { return x; });
 }
-inline Vector add(const Vector& a, const Vector& b) {
-    return per_lane([&](std::size_t i) { return a.lane[i] + b.lane[i]; });
+inline unsigned nonzero_lanes(const Vector& v) {
+    unsigned lanes = 0;
+    for (std::size_t i = 0; i < lane_count; ++i) lanes |= (v.lane[i] != 0 ? 1U : 0U) << i;
+    return lanes;
+}
+inline Vector subtract(const Vector& a, const Vector& b) {
+    return per_lane([&](std::size_t i) { return a.lane[i] - b.lane[i]; });
 }
 inline Vector multiply_low_halves(const Vector& a, const Vector& b) {
     return per_lane([&](std::size_t i) { return (a.lane[i] & 0xffffffffU) * (b.lane[i] & 0xffffffffU); });
 }
-inline Vector high_halves(const Vector& a) {
-    return per_lane([&](std::size_t i) { return a.lane[i] >> 32; });
+inline Vector shift_down(const Vector& a, const Vector& bits) {
+    return per_lane([&](std::size_t i) { return a.lane[i] >> bits.lane[i]; });
 }
 /// a < b ? a : a − b.
 inline Vector subtract_if_not_less(const Vector& a, const Vector& b) {
@@ -63,16 +68,14 @@ extern const LaneKernels lane_kernels_avx512;
 #endif
 
 LanePrimes::LanePrimes(const LaneEntry& primes) {
-    constexpr std::uint64_t radix = std::uint64_t{1} << 32;
     for (std::size_t i = 0; i < lane_count; ++i) {
         const std::uint64_t prime = primes.lane[i];
+        const auto bits = static_cast<unsigned>(std::bit_width(prime));
         p.lane[i] = prime;
         square.lane[i] = prime * prime;
-        one.lane[i] = radix % prime;
-        into.lane[i] = static_cast<std::uint32_t>(one.lane[i] * one.lane[i] % prime);
-        std::uint64_t inverse = 1; // modulo 2, 4, 16, …: each of Newton's steps doubles the number of bits
-        for (int step = 0; step < 5; ++step) inverse *= 2 - prime * inverse;
-        negative.lane[i] = (0 - inverse) % radix;
+        reciprocal.lane[i] = (std::uint64_t{1} << (2 * bits)) / prime;
+        low_shift.lane[i] = bits - 1;
+        high_shift.lane[i] = bits + 1;
     }
 }
 

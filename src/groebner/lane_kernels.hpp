@@ -1,12 +1,13 @@
 /// \file
-/// Sparse elimination modulo eight primes at once, one in each lane.
+/// Sparse elimination in eight lanes: one row modulo eight primes, or eight rows modulo one prime.
 ///
-/// The same matrix modulo several primes has the same columns, so what costs most in the elimination of one
-/// sparse row (reading columns, scattered loads and stores) is paid once for eight: an entry is eight
-/// neighbouring numbers, and every operation on it is one on vectors.
+/// The same matrix modulo several primes has the same columns, and the rows of one matrix of F4 are reduced
+/// by much the same pivots. What costs most in the elimination of one sparse row (reading columns, scattered
+/// loads and stores) is therefore paid once for eight: an entry is eight neighbouring numbers, and every
+/// operation on it is one on vectors.
 ///
-///     coefficients   | c₀ mod p₀ … p₇ | c₁ mod p₀ … p₇ | …      32 bits each, Montgomery form, below p
-///     dense          | column 0: eight lanes of 64 bits | …      a row during elimination, entries below p²
+///     entry   | lane 0 | … | lane 7 |      32 bits each, residues
+///     dense   | column 0: eight lanes of 64 bits | column 1 | …      a row during elimination, sums below p²
 ///
 /// Plain arrays and no standard library: sources compiled for one processor may share no inline function with
 /// others.
@@ -21,47 +22,56 @@ namespace eliminant::groebner {
 
 inline constexpr std::size_t lane_count = 8;
 
-/// A coefficient.
+/// A coefficient in each lane.
 struct alignas(32) LaneEntry {
     std::uint32_t lane[lane_count];
 };
-/// A column of a dense row.
+/// A column of a dense row in each lane.
 struct alignas(64) LaneSum {
     std::uint64_t lane[lane_count];
 };
 
-/// Eight odd primes below 2^31, and what Montgomery reduction with R = 2^32 needs for each.
+/// Eight primes below 2^31, not necessarily different, and what Barrett's reduction needs for each.
 struct LanePrimes {
     explicit LanePrimes(const LaneEntry& primes);
 
     LaneSum p;
-    LaneSum square;   ///< p²
-    LaneSum negative; ///< −1/p mod R
-    LaneSum one;      ///< R mod p: 1 in Montgomery form
-    LaneEntry into;   ///< R² mod p: times it takes a residue into the form
+    LaneSum square; ///< p²
+    // With k the number of bits of p:
+    LaneSum reciprocal; ///< ⌊2^(2k)/p⌋ < 2^32
+    LaneSum low_shift;  ///< k − 1
+    LaneSum high_shift; ///< k + 1
 };
 
-/// A sparse row by which others are reduced: monic, columns ascending.
-struct LaneRow {
+/// A row by which others are reduced: columns ascending, the leading coefficient is 1. Coefficients are one
+/// for all lanes (std::uint32_t) or one for each (LaneEntry).
+template <class Coefficient>
+struct SparseRow {
     const std::uint32_t* columns = nullptr; ///< null where there is none
-    const LaneEntry* coefficients = nullptr;
+    const Coefficient* coefficients = nullptr;
     std::size_t size = 0;
 };
 
+/// Eliminates the columns begin ≤ c < end of `dense`, in ascending sequence, by the rows by_column[c]. The
+/// nonzero entries of those columns that have no row are appended to `columns` and `entries`; all become 0.
+/// Returns how many were appended. With `used` not null, used[c] is raised by the bits of the lanes in which
+/// a multiple of by_column[c] was subtracted.
+template <class Coefficient>
+using LaneReduction = std::size_t (*)(const LanePrimes& primes, const SparseRow<Coefficient>* by_column,
+                                      std::size_t begin, std::size_t end, LaneSum* dense,
+                                      std::uint32_t* columns, LaneEntry* entries, std::uint8_t* used);
+
 /// The kernels, one set for each vector unit; all compute the same.
 struct LaneKernels {
-    /// Puts a row into `dense`, which is zero at its columns.
-    void (*scatter)(const LanePrimes& primes, const LaneRow& row, LaneSum* dense);
+    LaneReduction<std::uint32_t> reduce_rows; ///< eight rows by the same ones
+    LaneReduction<LaneEntry> reduce_primes;   ///< one row modulo eight primes
 
-    /// Eliminates the columns begin ≤ c < end of `dense`, in ascending sequence, by the rows by_column[c].
-    /// The nonzero entries of those that have no row are appended to `columns` and `coefficients`, and all
-    /// become 0. Returns how many were appended.
-    std::size_t (*reduce)(const LanePrimes& primes, const LaneRow* by_column, std::size_t begin,
-                          std::size_t end, LaneSum* dense, std::uint32_t* columns, LaneEntry* coefficients);
-
-    /// Multiplies `size` entries by one: both in Montgomery form gives Montgomery form.
-    void (*scale)(const LanePrimes& primes, const LaneEntry& factor, std::size_t size,
-                  LaneEntry* coefficients);
+    /// entries[i] *= factor, lane by lane.
+    void (*scale)(const LanePrimes& primes, const LaneEntry& factor, std::size_t size, LaneEntry* entries);
+    /// entries[i] −= factor · entries[i].lane[lane], lane by lane: subtracts multiples of one lane from the
+    /// others. factor.lane[lane] is 0.
+    void (*subtract_lane)(const LanePrimes& primes, const LaneEntry& factor, std::size_t lane,
+                          std::size_t size, LaneEntry* entries);
 };
 
 /// The kernels for a vector unit that this machine has; the portable ones where there are none of its own.

@@ -30,23 +30,30 @@ inline void store(LaneEntry& x, Vector v) {
     _mm_store_si128(halves, _mm256_castsi256_si128(_mm256_permutevar8x32_epi32(v.low, even)));
     _mm_store_si128(halves + 1, _mm256_castsi256_si128(_mm256_permutevar8x32_epi32(v.high, even)));
 }
-inline bool is_zero(Vector v) {
-    const __m256i any = _mm256_or_si256(v.low, v.high);
-    return _mm256_testz_si256(any, any) != 0;
+inline Vector load(const std::uint32_t& x) {
+    const __m256i all = _mm256_set1_epi64x(x);
+    return {all, all};
 }
-inline Vector add(Vector a, Vector b) {
-    return {_mm256_add_epi64(a.low, b.low), _mm256_add_epi64(a.high, b.high)};
+inline unsigned nonzero_lanes(__m256i v) {
+    const __m256i is_zero = _mm256_cmpeq_epi64(v, _mm256_setzero_si256());
+    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd(is_zero))) ^ 15U;
+}
+inline unsigned nonzero_lanes(Vector v) { return nonzero_lanes(v.low) | nonzero_lanes(v.high) << 4U; }
+inline Vector subtract(Vector a, Vector b) {
+    return {_mm256_sub_epi64(a.low, b.low), _mm256_sub_epi64(a.high, b.high)};
 }
 inline Vector multiply_low_halves(Vector a, Vector b) {
     return {_mm256_mul_epu32(a.low, b.low), _mm256_mul_epu32(a.high, b.high)};
 }
-inline Vector high_halves(Vector a) { return {_mm256_srli_epi64(a.low, 32), _mm256_srli_epi64(a.high, 32)}; }
+inline Vector shift_down(Vector a, Vector bits) {
+    return {_mm256_srlv_epi64(a.low, bits.low), _mm256_srlv_epi64(a.high, bits.high)};
+}
 /// a, or a + m where a is negative as a signed number.
 inline __m256i add_if_negative(__m256i a, __m256i m) {
     const __m256i negative = _mm256_cmpgt_epi64(_mm256_setzero_si256(), a);
     return _mm256_add_epi64(a, _mm256_and_si256(negative, m));
 }
-/// a < b ? a : a − b for a < 2b < 2^63.
+/// a < b ? a : a − b for a, b < 2^63.
 inline Vector subtract_if_not_less(Vector a, Vector b) {
     return {add_if_negative(_mm256_sub_epi64(a.low, b.low), b.low),
             add_if_negative(_mm256_sub_epi64(a.high, b.high), b.high)};

@@ -16,11 +16,12 @@ inline Vector load(const LaneEntry& x) {
 inline void store(LaneEntry& x, Vector v) {
     _mm256_store_si256(reinterpret_cast<__m256i*>(x.lane), _mm512_cvtepi64_epi32(v));
 }
-inline bool is_zero(Vector v) { return _mm512_test_epi64_mask(v, v) == 0; }
-inline Vector add(Vector a, Vector b) { return _mm512_add_epi64(a, b); }
+inline Vector load(const std::uint32_t& x) { return _mm512_set1_epi64(x); }
+inline unsigned nonzero_lanes(Vector v) { return _mm512_test_epi64_mask(v, v); }
+inline Vector subtract(Vector a, Vector b) { return _mm512_sub_epi64(a, b); }
 inline Vector multiply_low_halves(Vector a, Vector b) { return _mm512_mul_epu32(a, b); }
-inline Vector high_halves(Vector a) { return _mm512_srli_epi64(a, 32); }
-/// a < b ? a : a − b for a < 2b: the other difference wraps to something larger.
+inline Vector shift_down(Vector a, Vector bits) { return _mm512_srlv_epi64(a, bits); }
+/// a < b ? a : a − b: the other difference wraps to something larger.
 inline Vector subtract_if_not_less(Vector a, Vector b) { return _mm512_min_epu64(a, _mm512_sub_epi64(a, b)); }
 /// a − b modulo m for a, b < m.
 inline Vector subtract_modulo(Vector a, Vector b, Vector m) {

@@ -9,27 +9,33 @@
 namespace eliminant::groebner {
 namespace {
 
-/// x·R⁻¹ mod p, in [0, p), for x < p·R (Montgomery, Math. Comp. 44 (1985)). The low halves of x and of
-/// (x·negative mod R)·p cancel, and the sum is below p² + p·R < 2^64.
-inline Vector montgomery_reduce(const Vector& x, const Vector& p, const Vector& negative) {
-    const Vector m = multiply_low_halves(x, negative);
-    const Vector t = high_halves(add(x, multiply_low_halves(m, p)));
-    return subtract_if_not_less(t, p);
-}
+struct Primes {
+    Vector p;
+    Vector square;
+    Vector reciprocal;
+    Vector low_shift;
+    Vector high_shift;
 
-void scatter(const LanePrimes& primes, const LaneRow& row, LaneSum* dense) {
-    const Vector one = load(primes.one);
-    for (std::size_t i = 0; i < row.size; ++i) {
-        const Vector entry = load(row.coefficients[i]);
-        store(dense[row.columns[i]], multiply_low_halves(entry, one));
+    explicit Primes(const LanePrimes& primes)
+        : p(load(primes.p)), square(load(primes.square)), reciprocal(load(primes.reciprocal)),
+          low_shift(load(primes.low_shift)), high_shift(load(primes.high_shift)) {}
+
+    /// x mod p for x < p² (Barrett 1986). All factors are below 2^32, and the quotient found is at most two
+    /// too small.
+    Vector reduce(const Vector& x) const {
+        const Vector quotient =
+            shift_down(multiply_low_halves(shift_down(x, low_shift), reciprocal), high_shift);
+        const Vector rest = subtract(x, multiply_low_halves(quotient, p));
+        return subtract_if_not_less(subtract_if_not_less(rest, p), p);
     }
-}
+};
 
 /// dense −= factor·row, without its leading entry.
-inline void subtract_multiple(const Vector& factor, const Vector& square, const LaneRow& row,
+template <class Coefficient>
+inline void subtract_multiple(const Vector& factor, const Vector& square, const SparseRow<Coefficient>& row,
                               LaneSum* dense) {
     const std::uint32_t* columns = row.columns;
-    const LaneEntry* coefficients = row.coefficients;
+    const Coefficient* coefficients = row.coefficients;
     for (std::size_t i = 1; i < row.size; ++i) {
         LaneSum& entry = dense[columns[i]];
         const Vector product = multiply_low_halves(factor, load(coefficients[i]));
@@ -37,39 +43,51 @@ inline void subtract_multiple(const Vector& factor, const Vector& square, const 
     }
 }
 
-std::size_t reduce(const LanePrimes& primes, const LaneRow* by_column, std::size_t begin, std::size_t end,
-                   LaneSum* dense, std::uint32_t* columns, LaneEntry* coefficients) {
-    const Vector p = load(primes.p);
-    const Vector square = load(primes.square);
-    const Vector negative = load(primes.negative);
+template <class Coefficient>
+std::size_t reduce(const LanePrimes& lane_primes, const SparseRow<Coefficient>* by_column, std::size_t begin,
+                   std::size_t end, LaneSum* dense, std::uint32_t* columns, LaneEntry* entries,
+                   std::uint8_t* used) {
+    const Primes primes(lane_primes);
     std::size_t count = 0;
     for (std::size_t c = begin; c < end; ++c) {
         const Vector sum = load(dense[c]);
-        if (is_zero(sum)) continue;
+        if (nonzero_lanes(sum) == 0) continue;
         store(dense[c], zero());
-        const Vector value = montgomery_reduce(sum, p, negative);
-        if (is_zero(value)) continue;
+        const Vector value = primes.reduce(sum);
+        const unsigned lanes = nonzero_lanes(value);
+        if (lanes == 0) continue;
         if (by_column[c].columns != nullptr) {
-            subtract_multiple(value, square, by_column[c], dense);
+            if (used != nullptr) used[c] = static_cast<std::uint8_t>(used[c] | lanes);
+            subtract_multiple(value, primes.square, by_column[c], dense);
             continue;
         }
         columns[count] = static_cast<std::uint32_t>(c);
-        store(coefficients[count], value);
+        store(entries[count], value);
         ++count;
     }
     return count;
 }
 
-void scale(const LanePrimes& primes, const LaneEntry& factor, std::size_t size, LaneEntry* coefficients) {
-    const Vector p = load(primes.p);
-    const Vector negative = load(primes.negative);
+void scale(const LanePrimes& lane_primes, const LaneEntry& factor, std::size_t size, LaneEntry* entries) {
+    const Primes primes(lane_primes);
     const Vector by = load(factor);
     for (std::size_t i = 0; i < size; ++i)
-        store(coefficients[i],
-              montgomery_reduce(multiply_low_halves(load(coefficients[i]), by), p, negative));
+        store(entries[i], primes.reduce(multiply_low_halves(load(entries[i]), by)));
 }
 
-constexpr LaneKernels kernels{scatter, reduce, scale};
+void subtract_lane(const LanePrimes& lane_primes, const LaneEntry& factor, std::size_t lane, std::size_t size,
+                   LaneEntry* entries) {
+    const Primes primes(lane_primes);
+    const Vector by = load(factor);
+    for (std::size_t i = 0; i < size; ++i) {
+        const std::uint32_t subtracted = entries[i].lane[lane];
+        if (subtracted == 0) continue;
+        const Vector product = multiply_low_halves(by, load(subtracted));
+        store(entries[i], primes.reduce(subtract_modulo(load(entries[i]), product, primes.square)));
+    }
+}
+
+constexpr LaneKernels kernels{reduce<std::uint32_t>, reduce<LaneEntry>, scale, subtract_lane};
 
 } // namespace
 } // namespace eliminant::groebner

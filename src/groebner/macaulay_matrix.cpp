@@ -1,13 +1,12 @@
 #include "macaulay_matrix.hpp"
 
+#include "base/parallel.hpp"
+
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace eliminant::groebner {
-
-MacaulayMatrix::MacaulayMatrix(const algebra::PrimeField& field, std::size_t columns)
-    : field_(field), square_(static_cast<std::uint64_t>(field.characteristic()) * field.characteristic()),
-      columns_(columns) {}
 
 std::span<MacaulayMatrix::Column> MacaulayMatrix::add(std::vector<Reference>& rows,
                                                       std::span<const Element> coefficients) {
@@ -24,79 +23,213 @@ std::span<MacaulayMatrix::Column> MacaulayMatrix::add_row(std::span<const Elemen
     return add(rows_, coefficients);
 }
 
-void MacaulayMatrix::scatter(std::span<const Column> columns, std::span<const Element> coefficients) {
-    for (std::size_t i = 0; i < columns.size(); ++i) dense_[columns[i]] = coefficients[i];
-}
+/// One elimination. Rows are reduced in packs of eight, a lane each; packs in *waves*: those of a wave are
+/// reduced at the same time by the pivots known when it began, then one after the other by those that the
+/// wave itself has found meanwhile.
+class Elimination {
+  public:
+    using Column = MacaulayMatrix::Column;
+    using Element = MacaulayMatrix::Element;
+    using Row = MacaulayMatrix::Row;
 
-MacaulayMatrix::Row MacaulayMatrix::reduce(std::size_t first) {
-    Row result;
-    used_.clear();
-    for (std::size_t column = first; column < columns_; ++column) {
-        if (dense_[column] == 0) continue;
-        const Element value = field_.reduce(dense_[column]);
-        dense_[column] = 0;
-        if (value == 0) continue;
-        const Pivot& pivot = by_column_[column];
-        if (pivot.columns == nullptr) {
-            result.columns.push_back(static_cast<Column>(column));
-            result.coefficients.push_back(value);
-            continue;
+    Elimination(const MacaulayMatrix& matrix, base::Run& run, MacaulayMatrix::Transcript* transcript,
+                base::VectorUnit unit)
+        : matrix_(matrix), run_(run), transcript_(transcript), kernels_(lane_kernels(unit)),
+          primes_(same_in_all_lanes(matrix.field_)), by_column_(matrix.columns_), workers_(run.threads()) {
+        for (const MacaulayMatrix::Reference& reference : matrix.pivots_) {
+            const SparseRow<Element> pivot = matrix.row(reference);
+            by_column_[pivot.columns[0]] = pivot;
         }
-        used_.push_back(static_cast<Column>(column));
-        const std::uint64_t q = field_.negate(value);
-        std::uint64_t* dense = dense_.data();
-        for (std::size_t i = 1; i < pivot.size;
-             ++i) { // products and entries are below p², so sums below 2^63
-            const std::uint64_t sum = dense[pivot.columns[i]] + q * pivot.coefficients[i];
-            dense[pivot.columns[i]] = sum >= square_ ? sum - square_ : sum;
-        }
+        if (transcript) transcript->pivots.assign(matrix.columns_, false);
     }
-    if (!result.coefficients.empty() && result.coefficients.front() != 1) {
-        const Element inverse = field_.inverse(result.coefficients.front());
-        for (Element& c : result.coefficients) c = field_.multiply(c, inverse);
-    }
-    return result;
-}
 
-std::vector<MacaulayMatrix::Row> MacaulayMatrix::echelon(base::Run& run, Transcript* transcript) {
-    by_column_.assign(columns_, {});
-    dense_.assign(columns_, 0);
-    if (transcript) transcript->pivots.assign(columns_, false);
-    for (const Reference& row : pivots_) {
-        const Column* columns = pool_.data() + row.begin;
-        by_column_[columns[0]] = {columns, row.coefficients.data(), row.coefficients.size()};
+    std::vector<Row> run() {
+        found_.reserve(matrix_.rows_.size()); // by_column_ points into it
+        const std::size_t packs = (matrix_.rows_.size() + lane_count - 1) / lane_count;
+        // With one thread a pack sees all that was found before it; with more, waves long enough to share
+        // out.
+        const std::size_t wave = run_.threads() == 1 ? 1 : 4 * std::size_t{run_.threads()};
+        for (std::size_t first = 0; first < packs; first += wave)
+            reduce_wave(first, std::min(first + wave, packs));
+        std::ranges::sort(found_, {}, [](const Row& row) { return row.columns.front(); });
+        return reduced_tails();
     }
-    std::vector<Row> found;
-    found.reserve(rows_.size()); // pivots point into it
-    const auto become_pivot = [this](const Row& row) {
-        by_column_[row.columns.front()] = {row.columns.data(), row.coefficients.data(), row.columns.size()};
+
+  private:
+    /// Rows in lanes, as sparse as what is left of them.
+    struct Pack {
+        std::vector<Column> columns; ///< ascending
+        std::vector<LaneEntry> entries;
+        std::vector<std::uint8_t> used; ///< per column, for the transcript: see LaneReduction
     };
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const Reference& row = rows_[i];
-        run.poll();
-        const std::span<const Column> columns(pool_.data() + row.begin, row.coefficients.size());
-        scatter(columns, row.coefficients);
-        Row reduced = reduce(columns.front());
-        if (reduced.columns.empty()) continue;
-        if (transcript) {
-            for (const Column column : used_) transcript->pivots[column] = true;
-            transcript->rows.push_back(i);
-            transcript->leads.push_back(reduced.columns.front());
+    /// What belongs to a thread.
+    struct Worker {
+        std::vector<LaneSum> dense; ///< zero between reductions
+        std::vector<Column> columns;
+        std::vector<LaneEntry> entries;
+    };
+
+    static LaneEntry same_in_all_lanes(const algebra::PrimeField& field) {
+        LaneEntry entry;
+        std::ranges::fill(entry.lane, field.characteristic());
+        return entry;
+    }
+
+    Worker& worker(std::size_t number) {
+        Worker& w = workers_[number];
+        w.dense.resize(matrix_.columns_);
+        w.columns.resize(matrix_.columns_);
+        w.entries.resize(matrix_.columns_);
+        return w;
+    }
+
+    /// Reduces what was put in the worker's dense row, from column `first` on.
+    void reduce(Worker& w, std::size_t first, Pack& pack) {
+        constexpr std::size_t step = 256; // columns between polls: a few milliseconds
+        std::size_t count = 0;
+        for (std::size_t begin = first; begin < matrix_.columns_; begin += step) {
+            run_.poll();
+            const std::size_t end = std::min(begin + step, matrix_.columns_);
+            count += kernels_.reduce_rows(primes_, by_column_.data(), begin, end, w.dense.data(),
+                                          w.columns.data() + count, w.entries.data() + count,
+                                          transcript_ ? pack.used.data() : nullptr);
         }
-        found.push_back(std::move(reduced));
-        become_pivot(found.back());
+        pack.columns.assign(w.columns.data(), w.columns.data() + count);
+        pack.entries.assign(w.entries.data(), w.entries.data() + count);
     }
-    // From the last leading column on, so that what a row is reduced by is reduced already.
-    std::ranges::sort(found, {}, [](const Row& row) { return row.columns.front(); });
-    for (std::size_t i = found.size(); i-- > 0;) {
-        run.poll();
-        Row& row = found[i];
-        by_column_[row.columns.front()] = {};
-        scatter(row.columns, row.coefficients);
-        row = reduce(row.columns.front());
-        become_pivot(row);
+
+    static void scatter(const SparseRow<Element>& row, std::size_t lane, std::vector<LaneSum>& dense) {
+        for (std::size_t i = 0; i < row.size; ++i) dense[row.columns[i]].lane[lane] = row.coefficients[i];
     }
-    return found;
+
+    void reduce_wave(std::size_t first_pack, std::size_t end_pack) {
+        wave_.resize(end_pack - first_pack);
+        base::parallel_for(run_, wave_.size(), [&](std::size_t i, std::size_t thread) {
+            Worker& w = worker(thread);
+            std::size_t first_column = matrix_.columns_;
+            for (std::size_t lane = 0; lane < lane_count; ++lane) {
+                const std::size_t r = (first_pack + i) * lane_count + lane;
+                if (r == matrix_.rows_.size()) break;
+                const SparseRow<Element> row = matrix_.row(matrix_.rows_[r]);
+                first_column = std::min<std::size_t>(first_column, row.columns[0]);
+                scatter(row, lane, w.dense);
+            }
+            if (transcript_) wave_[i].used.assign(matrix_.columns_, 0);
+            reduce(w, first_column, wave_[i]);
+        });
+        const std::size_t known = found_.size();
+        for (std::size_t i = 0; i < wave_.size(); ++i) {
+            Pack& pack = wave_[i];
+            if (found_.size() != known) reduce_again(pack);
+            add_found(pack, (first_pack + i) * lane_count);
+        }
+    }
+
+    void reduce_again(Pack& pack) {
+        if (pack.columns.empty()) return;
+        Worker& w = worker(0);
+        for (std::size_t i = 0; i < pack.columns.size(); ++i)
+            std::ranges::copy(pack.entries[i].lane, w.dense[pack.columns[i]].lane);
+        reduce(w, pack.columns.front(), pack);
+    }
+
+    /// Gauss–Jordan elimination of the eight lanes; those that do not vanish become pivots.
+    void add_found(Pack& pack, std::size_t first_row) {
+        const algebra::PrimeField& field = matrix_.field_;
+        const std::size_t size = pack.entries.size();
+        std::array<std::size_t, lane_count> leads{};
+        LaneEntry inverses{};
+        unsigned useful = 0;
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            run_.poll();
+            std::size_t& lead = leads[lane];
+            while (lead < size && pack.entries[lead].lane[lane] == 0) ++lead;
+            if (lead == size) continue;
+            useful |= 1U << lane;
+            inverses.lane[lane] = field.inverse(pack.entries[lead].lane[lane]);
+            LaneEntry factor{};
+            bool subtracts = false;
+            for (std::size_t other = 0; other < lane_count; ++other) {
+                if (other == lane) continue;
+                factor.lane[other] = field.multiply(pack.entries[lead].lane[other], inverses.lane[lane]);
+                subtracts = subtracts || factor.lane[other] != 0;
+            }
+            if (subtracts)
+                kernels_.subtract_lane(primes_, factor, lane, size - lead, pack.entries.data() + lead);
+        }
+        if (useful == 0) return;
+        kernels_.scale(primes_, inverses, size, pack.entries.data());
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            if ((useful >> lane & 1U) == 0) continue;
+            const Row& row = found_.emplace_back(lane_of(pack, leads[lane], lane));
+            by_column_[row.columns.front()] = {row.columns.data(), row.coefficients.data(),
+                                               row.columns.size()};
+            if (transcript_) {
+                transcript_->rows.push_back(first_row + lane);
+                transcript_->leads.push_back(row.columns.front());
+            }
+        }
+        if (!transcript_) return;
+        for (std::size_t c = 0; c < pack.used.size(); ++c) {
+            if ((pack.used[c] & useful) != 0) transcript_->pivots[c] = true;
+        }
+    }
+
+    /// One lane, from an entry on.
+    static Row lane_of(const Pack& pack, std::size_t first, std::size_t lane) {
+        Row row;
+        for (std::size_t i = first; i < pack.entries.size(); ++i) {
+            if (pack.entries[i].lane[lane] == 0) continue;
+            row.columns.push_back(pack.columns[i]);
+            row.coefficients.push_back(pack.entries[i].lane[lane]);
+        }
+        return row;
+    }
+
+    /// The rows found, all that follows the leading entry reduced by all of them. What they are reduced by
+    /// need not be reduced itself, so packs are independent.
+    std::vector<Row> reduced_tails() {
+        for (const Row& row : found_) // sorting has moved the rows, though not what they point to
+            by_column_[row.columns.front()] = {row.columns.data(), row.coefficients.data(),
+                                               row.columns.size()};
+        transcript_ = nullptr;
+        std::vector<Row> result(found_.size());
+        const std::size_t packs = (found_.size() + lane_count - 1) / lane_count;
+        base::parallel_for(run_, packs, [&](std::size_t i, std::size_t thread) {
+            Worker& w = worker(thread);
+            const std::size_t begin = i * lane_count;
+            const std::size_t size = std::min(lane_count, found_.size() - begin);
+            for (std::size_t lane = 0; lane < size; ++lane) {
+                const Row& row = found_[begin + lane];
+                scatter({row.columns.data() + 1, row.coefficients.data() + 1, row.columns.size() - 1}, lane,
+                        w.dense);
+            }
+            Pack pack;
+            reduce(w, found_[begin].columns.front() + 1, pack);
+            for (std::size_t lane = 0; lane < size; ++lane) {
+                Row tail = lane_of(pack, 0, lane);
+                tail.columns.insert(tail.columns.begin(), found_[begin + lane].columns.front());
+                tail.coefficients.insert(tail.coefficients.begin(), 1);
+                result[begin + lane] = std::move(tail);
+            }
+        });
+        return result;
+    }
+
+    const MacaulayMatrix& matrix_;
+    base::Run& run_;
+    MacaulayMatrix::Transcript* transcript_;
+    const LaneKernels& kernels_;
+    LanePrimes primes_;
+    std::vector<SparseRow<Element>> by_column_;
+    std::vector<Worker> workers_;
+    std::vector<Pack> wave_;
+    std::vector<Row> found_;
+};
+
+std::vector<MacaulayMatrix::Row> MacaulayMatrix::echelon(base::Run& run, Transcript* transcript,
+                                                         base::VectorUnit unit) const {
+    return Elimination(*this, run, transcript, unit).run();
 }
 
 } // namespace eliminant::groebner

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lane_kernels.hpp"
+
 #include "eliminant/algebra/prime_field.hpp"
 #include "eliminant/base/run.hpp"
 
@@ -14,8 +16,7 @@ namespace eliminant::groebner {
 ///
 ///              pivot columns   others
 ///     pivots  [ 1 * * * *    |  * * ]     known: monic multiples of basis elements, one a pivot column, as
-///     they come
-///             [   1 * * *    |  * * ]
+///             [   1 * * *    |  * * ]     they come
 ///     rows    [ * * * * *    |  * * ]     to be reduced by the pivots, then by one another
 ///
 /// Coefficients belong to the caller and are shared by all multiples of an element; columns are ascending.
@@ -24,7 +25,8 @@ class MacaulayMatrix {
     using Element = std::uint32_t;
     using Column = std::uint32_t;
 
-    MacaulayMatrix(const algebra::PrimeField& field, std::size_t columns);
+    MacaulayMatrix(const algebra::PrimeField& field, std::size_t columns)
+        : field_(field), columns_(columns) {}
 
     /// Room for the columns of a row with the coefficients given (one or more), to be filled in before
     /// echelon(). A pivot is monic, and no two have the same leading column. The room is valid until the next
@@ -46,37 +48,29 @@ class MacaulayMatrix {
         std::vector<Column> leads;     ///< the leading columns of what they became
     };
     /// A basis of what the rows add to the span of the pivots: monic, ascending by leading column, no entry
-    /// in a pivot column, neither of the given pivots nor of each other. Each row is scattered into a dense
-    /// vector once; O(Σ length of the pivots used). Polls the run once a row. Fills in `transcript` unless it
-    /// is null.
-    std::vector<Row> echelon(base::Run& run, Transcript* transcript = nullptr);
+    /// in a pivot column, neither of the given pivots nor of each other. It is unique, so it depends neither
+    /// on the kernels nor on the threads. O(Σ length of the pivots used). Polls the run. Fills in
+    /// `transcript` unless it is null.
+    std::vector<Row> echelon(base::Run& run, Transcript* transcript = nullptr,
+                             base::VectorUnit unit = base::best_vector_unit()) const;
 
   private:
+    friend class Elimination;
+
     struct Reference { ///< to columns in pool_
         std::size_t begin;
         std::span<const Element> coefficients;
     };
     std::span<Column> add(std::vector<Reference>& rows, std::span<const Element> coefficients);
-    void scatter(std::span<const Column> columns, std::span<const Element> coefficients);
-    /// Eliminates from dense_ what has a pivot, from column `first` on, and takes out the rest, which is
-    /// monic. The columns of the pivots used are in used_.
-    Row reduce(std::size_t first);
-
-    struct Pivot {
-        const Column* columns = nullptr; ///< null where there is none
-        const Element* coefficients = nullptr;
-        std::size_t size = 0;
-    };
+    SparseRow<Element> row(const Reference& reference) const {
+        return {pool_.data() + reference.begin, reference.coefficients.data(), reference.coefficients.size()};
+    }
 
     algebra::PrimeField field_;
-    std::uint64_t square_; ///< p²
     std::size_t columns_;
     std::vector<Column> pool_;
     std::vector<Reference> pivots_;
     std::vector<Reference> rows_;
-    std::vector<Pivot> by_column_;
-    std::vector<std::uint64_t> dense_; ///< entries below p²
-    std::vector<Column> used_;
 };
 
 } // namespace eliminant::groebner

@@ -202,7 +202,7 @@ TEST(F4Trace, SmallPrimesNeverGiveAWrongBasisOfTheRightShape) {
     const System system = eliminant::testing::classical_system("cyclic5", CoefficientField::rationals(), run);
     const auto trace = F4Trace::learn(system.ring, system.polynomials, large_prime, {}, run);
     ASSERT_TRUE(trace.has_value());
-    const std::vector<std::uint32_t> primes = {3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 101};
+    const std::vector<std::uint32_t> primes = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 101};
     const std::size_t agreeing = check_replays(system.ring, system.polynomials, *trace, primes);
     EXPECT_GT(agreeing, 0U);
     EXPECT_LT(agreeing, primes.size()); // 5 is unlucky for cyclic-5
@@ -211,11 +211,11 @@ TEST(F4Trace, SmallPrimesNeverGiveAWrongBasisOfTheRightShape) {
 TEST(F4Trace, UnitAndZeroIdeals) {
     base::Run run;
     const Ring ring(CoefficientField::rationals(), {"x", "y"});
-    const std::vector<std::uint32_t> primes = {2147483647, 3};
+    const std::vector<std::uint32_t> primes = {2147483647, 2, 3};
     for (const auto& generators : {parse(ring, {"x", "x+1"}), parse(ring, {"0"}), parse(ring, {})}) {
         const auto trace = F4Trace::learn(ring, generators, large_prime, {}, run);
         ASSERT_TRUE(trace.has_value());
-        EXPECT_EQ(check_replays(ring, generators, *trace, primes), 2U);
+        EXPECT_EQ(check_replays(ring, generators, *trace, primes), primes.size());
     }
 }
 
@@ -223,7 +223,6 @@ TEST(F4Trace, RefusesWhatItCannotDo) {
     base::Run run;
     const Ring ring(CoefficientField::rationals(), {"x", "y"});
     const auto generators = parse(ring, {"x^2+y", "x*y+1"});
-    EXPECT_THROW(F4Trace::learn(ring, generators, 2, {}, run), DomainError);
     EXPECT_THROW(F4Trace::learn(ring, generators, 9, {}, run), DomainError);
     BuchbergerOptions bounded;
     bounded.degree_bound = 3;
@@ -231,7 +230,7 @@ TEST(F4Trace, RefusesWhatItCannotDo) {
     const auto trace = F4Trace::learn(ring, generators, 7, {}, run);
     ASSERT_TRUE(trace.has_value());
     EXPECT_TRUE(trace->replay({}, run).empty());
-    for (const std::uint32_t p : {0U, 1U, 2U, 9U, 2147483659U})
+    for (const std::uint32_t p : {0U, 1U, 9U, 2147483659U})
         EXPECT_THROW(trace->replay(std::vector{p}, run), DomainError) << p;
 }
 
