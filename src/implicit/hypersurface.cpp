@@ -23,6 +23,12 @@ HypersurfaceMethod hypersurface_method(Method method) {
     return nullptr;
 }
 
+std::vector<Method> methods_to_try(Method asked, const HypersurfaceProblem& /*problem*/) {
+    if (asked == Method::groebner) return {};
+    if (asked != Method::automatic) return {asked};
+    return {Method::linear};
+}
+
 ScaledProblem hypersurface_problem(const RationalMap& map, const algebra::Ring& ring, base::Run& run) {
     ScaledProblem scaled{{map, ring}, {}};
     RationalMap& target = scaled.problem.map;

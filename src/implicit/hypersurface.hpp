@@ -33,8 +33,12 @@ struct HypersurfaceEquation {
 /// \throws Stopped
 using HypersurfaceMethod = std::optional<HypersurfaceEquation> (*)(const HypersurfaceProblem&, base::Run&);
 
-/// The method of that name; null for those that are no methods for hypersurfaces alone.
+/// The method of that name, which is one for hypersurfaces.
 HypersurfaceMethod hypersurface_method(Method method);
+
+/// The methods for hypersurfaces that are tried, in this sequence, before elimination: what was asked for, or
+/// for `automatic` those that suit the problem, the fastest first.
+std::vector<Method> methods_to_try(Method asked, const HypersurfaceProblem& problem);
 
 /// The problem of a map, and the scales x = (numerator/denominator)·x′ of its coordinates.
 struct ScaledProblem {

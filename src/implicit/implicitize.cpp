@@ -84,34 +84,36 @@ class Implicitization {
             "has to vanish";
     }
 
-    /// Whether the method that was asked for, if it is one for hypersurfaces, found the equation; it is
-    /// proved.
+    /// Whether a method for hypersurfaces, of those that may be tried, found the equation; it is proved.
     bool by_method_for_hypersurfaces() {
-        const HypersurfaceMethod method = hypersurface_method(method_);
-        if (method == nullptr) return false;
         const RationalMap map = rational_map();
         const ScaledProblem scaled = hypersurface_problem(map, hypersurface_ring_, run_);
-        const std::optional<HypersurfaceEquation> found = method(scaled.problem, run_);
-        if (!found) {
-            result_.choice =
-                "the method " + std::string(to_string(method_)) + " gave up: elimination instead";
-            return false;
+        for (const Method method : methods_to_try(method_, scaled.problem)) {
+            const std::string name(to_string(method));
+            const auto found = hypersurface_method(method)(scaled.problem, run_);
+            if (!found) {
+                result_.choice += "the method " + name + " gave up; ";
+                continue;
+            }
+            Polynomial f = with_scales(found->equation, scaled.scales, run_);
+            if (!prove_hypersurface(map, f, run_)) {
+                result_.choice += "what the method " + name + " found could not be proved; ";
+                continue;
+            }
+            accept(std::move(f), method, *found);
+            return true;
         }
-        Polynomial f = with_scales(found->equation, scaled.scales, run_);
-        const auto proof = prove_hypersurface(map, f, run_);
-        if (!proof) {
-            result_.choice = "what the method " + std::string(to_string(method_)) +
-                             " found could not be proved: elimination instead";
-            return false;
-        }
+        return false;
+    }
+
+    void accept(Polynomial f, Method method, const HypersurfaceEquation& found) {
         result_.equations.push_back(std::move(f));
         result_.codimension = 1;
-        result_.method = method_;
+        result_.method = method;
         result_.proof = hypersurface_theorem;
-        result_.choice = found->how;
-        result_.statistics.primes_used = found->primes_used;
+        result_.choice += found.how;
+        result_.statistics.primes_used = found.primes_used;
         if (!is_graph(parametrization_, map_)) result_.notes.emplace_back(closure_note);
-        return true;
     }
 
     RationalMap rational_map() {

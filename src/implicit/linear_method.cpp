@@ -15,6 +15,8 @@ using algebra::PrimeField;
 namespace {
 
 constexpr std::size_t max_terms = 6000;
+/// Of the map in a parameter: of more, tables of powers would be the smallest of the problems.
+constexpr std::int64_t max_degree = 5000;
 
 /// The degree of a coordinate as a map of parameter space: how fast it grows.
 std::uint64_t weight_of(const RationalMap& map, const RationalMap::Component& component) {
@@ -87,6 +89,9 @@ class LinearMethod {
 
 std::optional<HypersurfaceEquation> equation_by_linear_algebra(const HypersurfaceProblem& problem,
                                                                base::Run& run) {
+    for (const RationalMap::Component& component : problem.map.components)
+        if (component.numerator.total_degree() > max_degree) return std::nullopt;
+    if (problem.map.denominator.total_degree() > max_degree) return std::nullopt;
     LinearMethod method(problem, run);
     return equation_from_images(
         problem.ring, Echelon::prime_bound, [&](const PrimeField& field) { return method.image(field); },

@@ -87,7 +87,7 @@ class Grid {
 
   private:
     std::optional<bool> is_zero_from(std::size_t variable, std::uint64_t rest) {
-        if (variable == point_.size()) return is_zero_on_line(std::min(rest, bounds_.degrees[inner_]));
+        if (variable == point_.size()) return is_zero_on_line(point_.empty() ? 0 : std::min(rest, bounds_.degrees[inner_]));
         if (variable == inner_) return is_zero_from(variable + 1, rest);
         for (std::uint64_t e = 0; e <= std::min(rest, bounds_.degrees[variable]); ++e) {
             point_[variable] = start_ + static_cast<std::uint32_t>(e);

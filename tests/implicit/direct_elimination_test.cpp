@@ -60,8 +60,14 @@ void compare(const Shape& shape) {
                          .append(std::to_string(seed))
                          .append("\n")
                          .append(text));
-        const ImplicitResult result = implicitized(text);
+        const ImplicitResult result = implicitized(text, {.method = Method::groebner});
         EXPECT_TRUE(agrees_with_direct_elimination(parametrization_of(text), result));
+        for (const Method method : {Method::linear, Method::automatic}) {
+            const ImplicitResult other = implicitized(text, {.method = method});
+            EXPECT_EQ(joined(other.equations), joined(result.equations)) << to_string(method);
+            EXPECT_EQ(other.codimension, result.codimension) << to_string(method);
+            EXPECT_EQ(other.assurance, Assurance::proved);
+        }
     }
 }
 

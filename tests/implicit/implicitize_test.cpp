@@ -220,7 +220,7 @@ TEST(Implicitize, StopsAllItsThreads) {
     };
     base::Run run(std::move(options));
     current = &run;
-    EXPECT_THROW(implicitize(p, {}, run), Stopped);
+    EXPECT_THROW(implicitize(p, {.method = Method::groebner}, run), Stopped);
 }
 
 TEST(Implicitize, StopsWhereverItIsAskedTo) {
@@ -267,9 +267,14 @@ TEST(Implicitize, RejectsDegreesThatCannotBeGraded) {
 TEST(Implicitize, NamesItsMethodsAndAssurances) {
     EXPECT_EQ(to_string(Method::automatic), "auto");
     EXPECT_EQ(to_string(Method::groebner), "groebner");
+    EXPECT_EQ(to_string(Method::linear), "linear");
     EXPECT_EQ(to_string(Assurance::proved), "proved");
     EXPECT_EQ(to_string(Assurance::probable), "probable");
-    EXPECT_EQ(implicitized("x = t\ny = t^2").method, Method::groebner);
+    for (const Method method : {Method::groebner, Method::linear})
+        EXPECT_EQ(implicitized("x = t\ny = t^2", {.method = method}).method, method);
+    EXPECT_NE(implicitized("x = t\ny = t^2").method, Method::automatic);
+    // Of a curve in space.
+    EXPECT_EQ(implicitized("x = t\ny = t^2\nz = t^3", {.method = Method::linear}).method, Method::groebner);
 }
 
 } // namespace

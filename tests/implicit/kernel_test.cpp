@@ -70,7 +70,7 @@ TEST(Kernel, IsTheSameByPrimesAndOverTheRationals) {
 TEST(Kernel, SurvivesPrimesModuloWhichTheImageIsSmaller) {
     // The first prime tried is 2147483647, modulo which y = x².
     const std::string text = "x = t^2+2147483647*t\ny = t^4";
-    const ImplicitResult result = implicitized(text);
+    const ImplicitResult result = implicitized(text, {.method = Method::groebner});
     ASSERT_EQ(result.equations.size(), 1U);
     EXPECT_EQ(result.equations[0].total_degree(), 4);
     EXPECT_GE(result.statistics.primes_used, 3U);
