@@ -14,9 +14,6 @@ namespace eliminant::app {
 
 namespace {
 
-/// The names on the command line; some are of methods that later versions bring.
-enum class MethodName { automatic, groebner, linear, resultant };
-
 Parametrization read_parametrization(std::span<const std::string> operands, Run& run) {
     const Input input = input_of(operands, looks_like_equation, run);
     if (!input.is_expressions) {
@@ -117,12 +114,12 @@ class ImplicitizeCommand : public Command {
     }
 
     void declare(OptionSet& options) override {
-        options.choice<MethodName>("method", "how it is computed (default auto)",
-                                   {{"auto", MethodName::automatic},
-                                    {"groebner", MethodName::groebner},
-                                    {"linear", MethodName::linear},
-                                    {"resultant", MethodName::resultant}},
-                                   method_);
+        options.choice<Method>("method", "how it is computed (default auto)",
+                               {{"auto", Method::automatic},
+                                {"groebner", Method::groebner},
+                                {"linear", Method::linear},
+                                {"resultant", Method::resultant}},
+                               method_);
         options.value("order", 0, "ORDER",
                       "order of the basis when there are several equations: lex, deglex,\n"
                       "degrevlex (default), weight(w1,…;lex|revlex), elim(x,y) or matrix(1,1;0,-1)",
@@ -134,7 +131,7 @@ class ImplicitizeCommand : public Command {
 
     ExitStatus run(std::span<const std::string> operands, Session& session) override {
         ImplicitizeOptions options;
-        options.method = method();
+        options.method = method_;
         const Parametrization parametrization = read_parametrization(operands, session.run());
         const std::vector<std::string> coordinates = coordinate_names(parametrization);
         if (order_) options.order = parse_order(SourceText(*order_, "--order"), coordinates);
@@ -149,20 +146,6 @@ class ImplicitizeCommand : public Command {
     }
 
   private:
-    Method method() const {
-        switch (method_) {
-        case MethodName::automatic:
-            return Method::automatic;
-        case MethodName::groebner:
-            return Method::groebner;
-        case MethodName::linear:
-            return Method::linear;
-        case MethodName::resultant:
-            break;
-        }
-        throw UsageError("--method: this version has auto, groebner and linear only");
-    }
-
     static void describe(const ImplicitResult& result, Session& session) {
         Console& console = session.console();
         for (const std::string& note : result.notes) console.detail("note: " + note);
@@ -173,7 +156,7 @@ class ImplicitizeCommand : public Command {
         console.detail(statistics_line(result.statistics.basis, session.seconds()));
     }
 
-    MethodName method_ = MethodName::automatic;
+    Method method_ = Method::automatic;
     Assurance assurance_ = Assurance::proved; // what is proved serves those who ask for less, too
     std::optional<std::string> order_;
 };

@@ -186,6 +186,8 @@ std::string_view to_string(Method method) {
         return "groebner";
     case Method::linear:
         return "linear";
+    case Method::resultant:
+        return "resultant";
     }
     return "";
 }

@@ -19,9 +19,10 @@ enum class Method {
     automatic, ///< chosen from the shape of the input; never the method of a result
     groebner,  ///< elimination of the parameters by Groebner bases
     linear,    ///< linear algebra on values of monomials at points of the image; for hypersurfaces
+    resultant, ///< resultants on parallel lines, for plane curves and for surfaces in space
 };
 
-/// The name on the command line: `auto`, `groebner`, `linear`.
+/// The name on the command line: `auto`, `groebner`, `linear`, `resultant`.
 std::string_view to_string(Method method);
 
 /// How sure a result is.

@@ -1,0 +1,266 @@
+#include "implicit/resultant_method.hpp"
+
+#include "algebra/random.hpp"
+#include "algebra/univariate_mod_p.hpp"
+#include "eliminant/algebra/arithmetic.hpp"
+#include "eliminant/algebra/gcd.hpp"
+#include "implicit/line_fibres.hpp"
+#include "implicit/line_interpolation.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace eliminant::implicit {
+
+namespace dense = algebra::dense;
+using algebra::Integer;
+using algebra::Polynomial;
+using algebra::PrimeField;
+
+namespace {
+
+/// Beyond these the terms alone fill gigabytes.
+constexpr std::int64_t max_fibre_size = 4000;
+constexpr std::size_t max_surface_degree = 400;
+
+/// A parameter that occurs only in powers of t^unit.
+struct UsedParameter {
+    std::size_t variable;
+    std::uint64_t unit;
+    std::int64_t degree; ///< in t^unit
+};
+
+/// f₀, …, fₙ over ℤ without common factor.
+std::vector<Polynomial> forms_of(const RationalMap& map, base::Run& run) {
+    std::vector<Polynomial> forms = {map.denominator};
+    for (const auto& [numerator, over_denominator] : map.components)
+        forms.push_back(over_denominator ? numerator : multiply(numerator, map.denominator, run));
+    const Polynomial common = gcd(forms, run);
+    if (!common.is_constant())
+        for (Polynomial& form : forms) form = divide_exactly(form, common, run);
+    return forms;
+}
+
+/// Each tᵏ that occurs being a power of t^unit, t^unit takes the place of t: the image is the same.
+std::vector<UsedParameter> used_parameters(const std::vector<Polynomial>& forms) {
+    std::vector<UsedParameter> result;
+    for (std::size_t variable = 0; variable < forms.front().ring().variable_count(); ++variable) {
+        UsedParameter parameter{variable, 0, 0};
+        for (const Polynomial& form : forms) {
+            parameter.degree = std::max(parameter.degree, form.degree(variable));
+            for (std::size_t i = 0; i < form.size(); ++i)
+                parameter.unit = std::gcd(parameter.unit, form.exponent(i, variable));
+        }
+        if (parameter.degree == 0) continue;
+        parameter.degree /= static_cast<std::int64_t>(parameter.unit);
+        result.push_back(parameter);
+    }
+    return result;
+}
+
+/// The form modulo p, in s = eliminated (if any) and t = hidden.
+FormRows rows_of(const Polynomial& form, const PrimeField& field, const UsedParameter* eliminated,
+                 const UsedParameter& hidden) {
+    const auto length = [](const UsedParameter& parameter) {
+        return static_cast<std::size_t>(parameter.degree) + 1;
+    };
+    FormRows rows(eliminated == nullptr ? 1 : length(*eliminated), Residues(length(hidden), 0));
+    for (std::size_t i = 0; i < form.size(); ++i) {
+        const std::uint64_t row =
+            eliminated == nullptr ? 0 : form.exponent(i, eliminated->variable) / eliminated->unit;
+        rows[row][form.exponent(i, hidden.variable) / hidden.unit] =
+            field.from_fraction(form.integer_terms().coefficients[i], form.denominator());
+    }
+    return rows;
+}
+
+/// Replaces s by s + shift.
+void shift_s(FormRows& rows, const PrimeField& field, Residue shift) {
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+        for (std::size_t k = rows.size() - 1; k-- > i;)
+            dense::add_multiple<PrimeField>(field, rows[k], rows[k + 1], shift);
+}
+
+class ResultantMethod {
+  public:
+    ResultantMethod(const HypersurfaceProblem& problem, base::Run& run)
+        : ring_(problem.ring), run_(run), forms_(forms_of(problem.map, run)),
+          parameters_(used_parameters(forms_)) {
+        // The parameter of lower degree is eliminated: the order of Bézout's matrix is its degree.
+        std::ranges::stable_sort(parameters_, {}, &UsedParameter::degree);
+    }
+
+    /// Finds the shape of the fibres. False if the method is not made for the map.
+    bool learn() {
+        if (parameters_.size() + 2 != forms_.size() || is_too_large()) return false;
+        const PrimeField field(algebra::previous_prime(short_prime_bound));
+        algebra::Random random(run_.seed());
+        for (int i = 0; i < attempts; ++i) {
+            for (const bool moved : {false, true}) {
+                moves_infinity_ = moved && is_surface();
+                for (std::size_t choice = 0; choice < parameters_.size(); ++choice) {
+                    if (learn_from_line(field, random)) return true;
+                    // Points of a fibre may have one parameter in common and not the other.
+                    std::swap(parameters_.front(), parameters_.back());
+                }
+            }
+        }
+        return false;
+    }
+
+    /// After learn(). May be called for several primes at the same time.
+    std::optional<Polynomial> image(const PrimeField& field) const {
+        algebra::Random random(run_.seed() + field.characteristic());
+        for (int i = 0; i < attempts; ++i)
+            if (auto equation = attempt(field, random)) return equation;
+        return std::nullopt;
+    }
+
+    std::string description() const {
+        return "resultants on " + std::to_string(shape_->lines) + " lines with fibres of " +
+               std::to_string(shape_->fibre_size) + " points";
+    }
+
+  private:
+    /// What is the same for all lines and primes, but bad ones.
+    struct Shape {
+        SurfaceNodes nodes;     ///< for surfaces
+        std::size_t fibre_size; ///< points that are taken to a line
+        std::size_t degree;     ///< of the equation: how many points of the image that makes
+        std::size_t lines;
+    };
+
+    static constexpr int attempts = 3; ///< against bad luck in random choices
+
+    /// Whether fibres have more points than there is time for.
+    bool is_too_large() const {
+        std::int64_t size = is_surface() ? 2 : 1;
+        for (const UsedParameter& parameter : parameters_) {
+            if (parameter.degree > max_fibre_size) return true;
+            size *= parameter.degree;
+        }
+        return size > max_fibre_size;
+    }
+
+    bool is_surface() const { return parameters_.size() == 2; }
+
+    std::vector<FormRows> forms_modulo(const PrimeField& field, algebra::Random& random) const {
+        const Residue before = random.below(field.characteristic());
+        const Residue after = random.below(field.characteristic());
+        std::vector<FormRows> forms;
+        for (const Polynomial& form : forms_) {
+            forms.push_back(
+                rows_of(form, field, is_surface() ? &parameters_[0] : nullptr, parameters_.back()));
+            if (!moves_infinity_) continue;
+            shift_s(forms.back(), field, before);
+            std::ranges::reverse(forms.back()); // s becomes 1/s
+            shift_s(forms.back(), field, after);
+        }
+        return forms;
+    }
+
+    Residues random_vector(const PrimeField& field, algebra::Random& random) const {
+        Residues result;
+        for (std::size_t i = 0; i < parameters_.size(); ++i)
+            result.push_back(random.below(field.characteristic()));
+        return result;
+    }
+
+    std::unique_ptr<LineFibres> fibres(const PrimeField& field, std::span<const FormRows> forms,
+                                       std::span<const Residue> direction, SurfaceNodes nodes,
+                                       algebra::Random& random) const {
+        if (is_surface()) return surface_fibres(field, forms, direction, nodes, random(), run_);
+        return curve_fibres(field, forms, direction, run_);
+    }
+
+    bool learn_from_line(const PrimeField& field, algebra::Random& random) {
+        const std::vector<FormRows> forms = forms_modulo(field, random);
+        SurfaceNodes nodes{0};
+        if (is_surface()) {
+            const auto needed = needed_nodes(field, forms, random(), run_);
+            if (!needed) return false;
+            nodes = *needed;
+        }
+        const Residues direction = random_vector(field, random);
+        const auto maps = fibres(field, forms, direction, nodes, random);
+        if (!maps) return false;
+        const auto fibre = maps->over(random_vector(field, random));
+        if (!fibre || !is_squarefree(field, fibre->algebra.modulus())) return false;
+
+        const std::size_t size = fibre->algebra.dimension();
+        const Residues heights = from_power_sums(field, fibre->algebra.traces_of_powers(fibre->height, size));
+        const std::size_t degree = size - repeated_roots(field, heights);
+        if (size % degree != 0) return false;
+        if (is_surface() && degree > max_surface_degree) return false;
+        const Residues zeros(parameters_.size(), 0);
+        shape_ = Shape{nodes, size, degree, LineInterpolation(field, degree, zeros, zeros).line_count()};
+        return true;
+    }
+
+    /// The degree of gcd(f, f′).
+    std::size_t repeated_roots(const PrimeField& field, const Residues& f) const {
+        Residues derivative;
+        for (std::size_t i = 1; i < f.size(); ++i)
+            derivative.push_back(field.multiply(f[i], field.reduce(i)));
+        dense::trim(derivative);
+        return dense::gcd(field, f, derivative, run_).size() - 1;
+    }
+    bool is_squarefree(const PrimeField& field, const Residues& f) const {
+        return repeated_roots(field, f) == 0;
+    }
+
+    std::optional<Polynomial> attempt(const PrimeField& field, algebra::Random& random) const {
+        const std::vector<FormRows> forms = forms_modulo(field, random);
+        const Residues direction = random_vector(field, random);
+        const auto maps = fibres(field, forms, direction, shape_->nodes, random);
+        if (!maps) return std::nullopt;
+        LineInterpolation interpolation(field, shape_->degree, direction, random_vector(field, random));
+        const Residue inverse = field.inverse(field.reduce(shape_->fibre_size / shape_->degree));
+        for (std::size_t line = 0; line < interpolation.line_count(); ++line) {
+            run_.poll();
+            const auto fibre = maps->over(interpolation.base(line));
+            if (!fibre || fibre->algebra.dimension() != shape_->fibre_size) return std::nullopt;
+            // Each point of the image is met fibre_size/degree times: so often its power sums are too large.
+            Residues sums = fibre->algebra.traces_of_powers(fibre->height, shape_->degree);
+            for (Residue& sum : sums) sum = field.multiply(sum, inverse);
+            interpolation.set(line, from_power_sums(field, sums));
+        }
+        return polynomial_of(field, interpolation.terms());
+    }
+
+    Polynomial polynomial_of(const PrimeField& field,
+                             const std::vector<LineInterpolation::Term>& terms) const {
+        algebra::PolynomialBuilder builder(
+            ring_.with_field(algebra::CoefficientField::prime(field.characteristic())));
+        for (const auto& [exponents, coefficient] : terms) builder.add(Integer(coefficient), exponents);
+        return builder.build().monic();
+    }
+
+    algebra::Ring ring_;
+    base::Run& run_;
+    std::vector<Polynomial> forms_;
+    std::vector<UsedParameter> parameters_; ///< of a surface: the eliminated one, then the hidden one
+    /// Whether a projective transformation of s comes first, which does not change the image. Where forms of
+    /// highest degree in s are alike, leading minors of Bézout's matrix are zero, but not after it.
+    bool moves_infinity_ = false;
+    std::optional<Shape> shape_;
+};
+
+} // namespace
+
+std::optional<HypersurfaceEquation> equation_by_resultants(const HypersurfaceProblem& problem,
+                                                           base::Run& run) {
+    if (!problem.map.constants.empty()) return std::nullopt;
+    const std::size_t coordinates = problem.map.components.size();
+    if (coordinates != 2 && coordinates != 3) return std::nullopt;
+    ResultantMethod method(problem, run);
+    if (!method.learn()) return std::nullopt;
+    auto result = equation_from_images(
+        problem.ring, short_prime_bound, [&](const PrimeField& field) { return method.image(field); }, run);
+    if (result) result->how = method.description();
+    return result;
+}
+
+} // namespace eliminant::implicit
