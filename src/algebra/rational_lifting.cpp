@@ -32,6 +32,7 @@ class RationalLifting::Worker {
         Vector& vector = all_.vectors_[g];
         factors_.assign(all_.tables_.size(), std::nullopt);
         level_ = 0;
+        first_level_ = all_.needs_all_primes_[g] != 0 ? all_.tables_.size() - 1 : 0;
         const std::size_t end = all_.size(g);
         while (vector.numerators.size() < end) {
             run_.poll();
@@ -65,7 +66,7 @@ class RationalLifting::Worker {
     /// Appends the entry with these residues to the vector's numerators.
     bool find(std::span<const std::uint32_t> residues, Vector& vector) {
         // Neighbours have much the same length: begin with the table of the one before.
-        for (level_ = level_ > 0 ? level_ - 1 : 0; level_ < all_.tables_.size(); ++level_) {
+        for (level_ = std::max(level_, first_level_ + 1) - 1; level_ < all_.tables_.size(); ++level_) {
             const RemainderTable& table = *all_.tables_[level_];
             table.combine(residues.first(table.prime_count()), factor(level_, vector.denominator), limbs_,
                           number_);
@@ -92,11 +93,13 @@ class RationalLifting::Worker {
     std::vector<std::uint32_t> block_;
     std::vector<std::optional<RemainderTable::Factor>> factors_; ///< per table: the denominator
     std::size_t level_ = 0;                                      ///< the table that sufficed
+    std::size_t first_level_ = 0;                                ///< the first that is tried
     std::vector<mp_limb_t> limbs_;
     mpz_class number_;
 };
 
-RationalLifting::RationalLifting(std::vector<std::size_t> sizes) : vectors_(sizes.size()) {
+RationalLifting::RationalLifting(std::vector<std::size_t> sizes)
+    : vectors_(sizes.size()), needs_all_primes_(sizes.size(), 0) {
     begins_.push_back(0);
     for (const std::size_t size : sizes) begins_.push_back(begins_.back() + size);
 }
@@ -162,7 +165,9 @@ bool RationalLifting::agrees(std::uint32_t prime, std::span<const std::uint32_t>
         }
     });
     for (std::size_t g = 0; g < vectors_.size(); ++g) {
-        if (wrong[g] != 0) vectors_[g] = {};
+        if (wrong[g] == 0) continue;
+        vectors_[g] = {};
+        needs_all_primes_[g] = 1;
     }
     return std::ranges::count(wrong, 0) == static_cast<std::ptrdiff_t>(wrong.size());
 }

@@ -76,7 +76,9 @@ class RationalLifting {
     std::vector<std::uint32_t> primes_;
     std::vector<std::vector<std::uint32_t>> residues_; ///< per prime
     std::vector<Vector> vectors_;                      ///< as far as found: a prefix of each
-    std::size_t hardest_ = 0;                          ///< the vector that is looked at first
+    /// Per vector, whether part of the primes misled: coefficients may be made of the first primes.
+    std::vector<char> needs_all_primes_;
+    std::size_t hardest_ = 0; ///< the vector that is looked at first
     /// For more and more of the first primes; the last one for all of them.
     std::vector<std::unique_ptr<const RemainderTable>> tables_;
 };

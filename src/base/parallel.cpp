@@ -1,6 +1,8 @@
 #include "base/parallel.hpp"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -48,9 +50,13 @@ void parallel_for(const Run& run, std::size_t count,
             },
             tbb::simple_partitioner{});
     };
+    static const auto default_concurrency = static_cast<std::size_t>(tbb::info::default_concurrency());
     if (inside) {
         tbb::this_task_arena::isolate(spread);
     } else {
+        // Without it more threads than processors are refused, with a warning on standard error.
+        const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                          std::max<std::size_t>(run.threads(), default_concurrency));
         tbb::task_arena arena(static_cast<int>(run.threads()));
         arena.execute(spread);
     }

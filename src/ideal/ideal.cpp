@@ -1,6 +1,7 @@
 #include "eliminant/ideal/ideal.hpp"
 
 #include "eliminant/algebra/arithmetic.hpp"
+#include "groebner/change_of_order.hpp"
 #include "ideal/basis_computation.hpp"
 #include "ideal/ring_change.hpp"
 
@@ -106,6 +107,8 @@ const std::vector<Polynomial>& Ideal::groebner_basis(const MonomialOrder& order,
     if (weights_compared_first(target) || std::ranges::all_of(generators(), &Polynomial::is_homogeneous))
         return state_->keep(order, basis_directly(target, known_generators(), run));
     const std::vector<Polynomial>& graded = groebner_basis(MonomialOrder::degrevlex(), run);
+    if (auto changed = groebner::change_order(graded, target, groebner::Proof::full, run))
+        return state_->keep(order, std::move(changed->elements));
     return state_->keep(order, basis_by_homogenization(target, graded, run));
 }
 std::vector<Polynomial> Ideal::groebner_basis(const MonomialOrder& order, base::Run& run) && {

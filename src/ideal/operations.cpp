@@ -3,6 +3,7 @@
 #include "eliminant/algebra/arithmetic.hpp"
 #include "eliminant/algebra/gcd.hpp"
 #include "eliminant/groebner/buchberger.hpp"
+#include "groebner/change_of_order.hpp"
 #include "ideal/parameter_trick.hpp"
 #include "ideal/ring_change.hpp"
 
@@ -121,14 +122,16 @@ Ideal eliminate(const Ideal& I, std::span<const std::size_t> variables, base::Ru
     }
     const auto order = MonomialOrder::elimination({eliminated.begin(), eliminated.end()});
     const Ring target = subring(I.ring(), kept);
+    const Ring graded = target.with_order(MonomialOrder::degrevlex());
+    if (auto changed = groebner::change_order(I.some_groebner_basis(run), graded, groebner::Proof::full, run))
+        return Ideal::from_groebner_basis(target, graded.order(), std::move(changed->elements));
     const std::vector<std::size_t> map = map_to_subring(I.ring(), kept);
     std::vector<Polynomial> basis;
     for (const Polynomial& f : I.groebner_basis(order, run)) {
         const auto occurs = [&](std::size_t i) { return f.exponent(0, i) != 0; };
-        if (std::ranges::none_of(eliminated, occurs))
-            basis.push_back(f.in_ring(target.with_order(MonomialOrder::degrevlex()), map));
+        if (std::ranges::none_of(eliminated, occurs)) basis.push_back(f.in_ring(graded, map));
     }
-    return Ideal::from_groebner_basis(target, MonomialOrder::degrevlex(), std::move(basis));
+    return Ideal::from_groebner_basis(target, graded.order(), std::move(basis));
 }
 
 bool radical_contains(const Ideal& I, const Polynomial& f, base::Run& run) {
