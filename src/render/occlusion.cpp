@@ -1,0 +1,77 @@
+#include "render/occlusion.hpp"
+
+#include "render/sampling.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace eliminant::render {
+namespace {
+
+/// A ray that starts exactly on the surface would meet it there. In units of the radius of what is drawn: far
+/// more than the rounding of a hit, far less than a pixel.
+constexpr double relative_offset = 1e-6;
+
+glm::dvec3 unit(const glm::dvec3& v) {
+    return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+}
+
+} // namespace
+
+OcclusionProbe::OcclusionProbe(const scene::Surface& surface, const scene::ClipRegion& clip,
+                               const Lighting& lighting, const Occlusion& options, std::uint64_t seed)
+    : surface_(surface), clip_(clip), options_(options), seed_(seed) {
+    for (const DirectionalLight& light : lighting.lights)
+        lights_.push_back({unit(light.towards), std::cos(light.angular_radius * (std::numbers::pi / 180))});
+    const double radius = clip.bounding_ball().value_or(scene::Ball{}).radius;
+    offset_ = relative_offset * radius;
+    reach_ = options.ambient_reach * radius;
+}
+
+bool OcclusionProbe::is_blocked(const Place& place, const glm::dvec3& direction, double reach) const {
+    const scene::Ray ray{place.point + offset_ * place.normal, direction};
+    scene::Interval inside = clip_.interval(ray);
+    inside.upper = std::min(inside.upper, reach);
+    return !inside.empty() && surface_.occluded(ray, inside);
+}
+
+float OcclusionProbe::visibility(const Place& place, std::size_t light, std::uint64_t& rays) const {
+    constexpr double everywhere = std::numeric_limits<double>::infinity();
+    const auto& [towards, least_cosine] = lights_[light];
+    if (least_cosine == 1) {
+        if (!(glm::dot(place.normal, towards) > 0)) return 0; // shading knows, too
+        ++rays;
+        return is_blocked(place, towards, everywhere) ? 0 : 1;
+    }
+    // A first part of the rays decides alone where all of them agree: inside and outside of the penumbra.
+    const std::uint32_t count = options_.shadow_rays;
+    const std::uint32_t first_part = std::min(count, std::max(4U, count / 4));
+    const SampleSet samples(seed_, place.column, place.row, light + 1, first_part);
+    const SampleSet further_samples(seed_, place.column, place.row, light + 1, count);
+    std::uint32_t arrived = 0;
+    const auto send = [&](SampleSet::Point sample) {
+        ++rays;
+        if (!is_blocked(place, direction_in_cone(towards, least_cosine, sample), everywhere)) ++arrived;
+    };
+    for (std::uint32_t i = 0; i < first_part; ++i) send(samples[i]);
+    if (arrived == 0 || arrived == first_part) return arrived == 0 ? 0 : 1;
+    arrived = 0;
+    for (std::uint32_t i = 0; i < count; ++i) send(further_samples[i]);
+    return static_cast<float>(arrived) / static_cast<float>(count);
+}
+
+float OcclusionProbe::openness(const Place& place, std::uint64_t& rays) const {
+    const std::uint32_t count = options_.ambient_rays;
+    const SampleSet samples(seed_, place.column, place.row, 0, count);
+    std::uint32_t open = 0;
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (!is_blocked(place, direction_by_cosine(place.normal, samples[i]), reach_)) ++open;
+    rays += count;
+    return static_cast<float>(open) / static_cast<float>(count);
+}
+
+} // namespace eliminant::render
