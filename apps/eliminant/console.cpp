@@ -58,6 +58,17 @@ std::string live_line(const Progress& progress, double seconds) {
     return line.str();
 }
 
+/// How long the rest takes if it goes on as in the seconds so far; nothing while that is a mere guess.
+std::string remaining_time(const Progress& progress, double seconds) {
+    constexpr double least_seconds = 0.5;
+    if (progress.done == 0 || progress.done > progress.total || seconds < least_seconds) return {};
+    const double left =
+        seconds * static_cast<double>(progress.total - progress.done) / static_cast<double>(progress.done);
+    std::ostringstream text;
+    text << ", " << std::fixed << std::setprecision(left < 10 ? 1 : 0) << left << " s left";
+    return text.str();
+}
+
 } // namespace
 
 std::string printable(std::string_view text) {
@@ -115,10 +126,17 @@ void Console::detail(std::string_view line) {
     if (verbose_) say(printable(line) + "\n");
 }
 
-void Console::show(const Progress& progress) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    const std::string line = printable(live_line(progress, elapsed.count()));
+void Console::expect_steady_progress() {
     const std::lock_guard lock(mutex_);
+    steady_since_ = std::chrono::steady_clock::now();
+}
+
+void Console::show(const Progress& progress) {
+    const auto now = std::chrono::steady_clock::now();
+    const std::lock_guard lock(mutex_);
+    std::string line = printable(live_line(progress, std::chrono::duration<double>(now - start_).count()));
+    if (steady_since_)
+        line += remaining_time(progress, std::chrono::duration<double>(now - *steady_since_).count());
     erase_live_line();
     // A line that fills the last column would wrap, and could not be erased.
     write_to_standard_error(line.substr(0, terminal_width() - 1));

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -33,6 +34,8 @@ class Console {
     /// A line of statistics, said only with --verbose.
     void detail(std::string_view line);
 
+    /// From now on the live line also says how long the rest will take: for work whose units are about equal.
+    void expect_steady_progress();
     /// Replaces the live line.
     void show(const Progress& progress);
     /// Takes the live line off the screen, as everything else that is said does by itself.
@@ -46,7 +49,8 @@ class Console {
     bool verbose_ = false;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::mutex mutex_;
-    bool live_line_ = false; // guarded by mutex_
+    bool live_line_ = false;                                                 // guarded by mutex_
+    std::optional<std::chrono::steady_clock::time_point> steady_since_ = {}; // guarded by mutex_
 };
 
 /// Text on one line that leaves a terminal as it was: control characters and bytes that are no UTF-8 as

@@ -79,6 +79,20 @@ void OptionSet::value(std::string_view name, char short_name, std::string argume
         ->group(heading_);
 }
 
+void OptionSet::values(std::string_view name, std::string argument, std::string_view help, Setter set) {
+    std::string shown("--");
+    shown += name;
+    app_->add_option_function<std::vector<std::string>>(
+            names(name, 0),
+            [shown = std::move(shown), set = std::move(set)](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) set_option(shown, set, unprotected(text));
+            },
+            std::string(help))
+        ->allow_extra_args(false)
+        ->type_name(std::move(argument))
+        ->group(heading_);
+}
+
 std::string OptionSet::joined(std::span<const std::string_view> words) {
     std::string text;
     for (const std::string_view word : words) {

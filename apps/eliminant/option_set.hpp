@@ -46,9 +46,11 @@ class OptionSet {
     void heading(std::string_view text) { heading_ = text; }
     /// Names are given without dashes; `short_name` 0 is none.
     void flag(std::string_view name, char short_name, std::string_view help, bool& target);
-    /// `set` is called with each value found, and may throw UsageError or another Error.
+    /// `set` is called with the value, and may throw UsageError or another Error.
     void value(std::string_view name, char short_name, std::string argument, std::string_view help,
                Setter set);
+    /// The same for an option that may be given several times and means all of them.
+    void values(std::string_view name, std::string argument, std::string_view help, Setter set);
     template <class T>
     void choice(std::string_view name, std::string_view help, Choices<T> choices, T& target) {
         std::vector<std::string_view> words;

@@ -69,8 +69,36 @@ std::string behind_links(const std::string& file) {
     throw FileError(file, ELOOP);
 }
 
+} // namespace
+
+Destination::Destination(std::string file) : file_(file == "-" ? std::string() : std::move(file)) {
+    if (file_.empty()) return;
+    const std::optional<mode_t> mode = mode_of(file_);
+    if (mode && S_ISDIR(*mode)) throw FileError(file_, EISDIR);
+    if (mode && access(file_.c_str(), W_OK) != 0) throw FileError(file_, errno);
+    if (mode && !S_ISREG(*mode)) return;
+
+    target_ = behind_links(file_);
+    if (target_.empty()) return;
+    const fs::path parent = fs::path(target_).parent_path();
+    const std::string directory = parent.empty() ? "." : parent.string();
+    const std::optional<mode_t> directory_mode = mode_of(directory);
+    if (!directory_mode) throw FileError(file_, "no such directory '" + directory + "'");
+    if (!S_ISDIR(*directory_mode)) throw FileError(file_, "'" + directory + "' is not a directory");
+    if (access(directory.c_str(), W_OK | X_OK) != 0)
+        throw FileError(file_, "no permission to create files in directory '" + directory + "'");
+}
+
+void Destination::write(std::string_view text, Run& run) const {
+    OutputStream stream = open(run);
+    stream.write(text);
+    stream.finish();
+}
+
+OutputStream Destination::open(Run& run) const { return {file_, target_, run}; }
+
 /// A new file beside its final place, which vanishes again unless it is moved there.
-class TemporaryFile {
+class OutputStream::TemporaryFile {
   public:
     explicit TemporaryFile(const std::string& target) {
         constexpr mode_t every_mode_the_umask_allows = 0666;
@@ -105,51 +133,37 @@ class TemporaryFile {
     int descriptor_ = -1;
 };
 
-} // namespace
-
-Destination::Destination(std::string file) : file_(file == "-" ? std::string() : std::move(file)) {
-    if (file_.empty()) return;
-    const std::optional<mode_t> mode = mode_of(file_);
-    if (mode && S_ISDIR(*mode)) throw FileError(file_, EISDIR);
-    if (mode && access(file_.c_str(), W_OK) != 0) throw FileError(file_, errno);
-    if (mode && !S_ISREG(*mode)) return;
-
-    target_ = behind_links(file_);
-    if (target_.empty()) return;
-    const fs::path parent = fs::path(target_).parent_path();
-    const std::string directory = parent.empty() ? "." : parent.string();
-    const std::optional<mode_t> directory_mode = mode_of(directory);
-    if (!directory_mode) throw FileError(file_, "no such directory '" + directory + "'");
-    if (!S_ISDIR(*directory_mode)) throw FileError(file_, "'" + directory + "' is not a directory");
-    if (access(directory.c_str(), W_OK | X_OK) != 0)
-        throw FileError(file_, "no permission to create files in directory '" + directory + "'");
-}
-
-void Destination::write(std::string_view text, Run& run) const {
+OutputStream::OutputStream(std::string file, std::string target, Run& run)
+    : file_(std::move(file)), target_(std::move(target)), run_(&run) {
     if (file_.empty()) {
-        write_blocks(STDOUT_FILENO, text, file_, run);
-        // Nothing is written later, and a network file system may tell only now that it is full.
-        if (close(STDOUT_FILENO) != 0) throw write_error(file_, errno);
+        descriptor_ = STDOUT_FILENO;
     } else if (!target_.empty()) {
-        replace_file(text, run);
+        temporary_ = std::make_unique<TemporaryFile>(target_);
+        descriptor_ = temporary_->descriptor();
     } else {
-        const int descriptor = open_in_place(file_, run);
-        try {
-            write_blocks(descriptor, text, file_, run);
-        } catch (...) {
-            close(descriptor);
-            throw;
-        }
-        if (close(descriptor) != 0) throw FileError(file_, errno);
+        descriptor_ = open_in_place(file_, run);
     }
 }
 
-void Destination::replace_file(std::string_view text, Run& run) const {
-    TemporaryFile temporary(target_);
-    write_blocks(temporary.descriptor(), text, file_, run);
-    if (const std::optional<mode_t> mode = mode_of(target_))
-        if (fchmod(temporary.descriptor(), *mode & 07777) != 0) throw FileError(file_, errno);
-    temporary.move_to(target_);
+OutputStream::OutputStream(OutputStream&& other) noexcept
+    : file_(std::move(other.file_)), target_(std::move(other.target_)), run_(other.run_),
+      descriptor_(std::exchange(other.descriptor_, -1)), temporary_(std::move(other.temporary_)) {}
+
+OutputStream::~OutputStream() {
+    if (descriptor_ >= 0 && descriptor_ != STDOUT_FILENO && !temporary_) close(descriptor_);
+}
+
+void OutputStream::write(std::string_view text) { write_blocks(descriptor_, text, file_, *run_); }
+
+void OutputStream::finish() {
+    const int descriptor = std::exchange(descriptor_, -1);
+    if (temporary_) {
+        if (const std::optional<mode_t> mode = mode_of(target_))
+            if (fchmod(descriptor, *mode & 07777) != 0) throw FileError(file_, errno);
+        temporary_->move_to(target_);
+    } else if (close(descriptor) != 0) { // a network file system may tell only now that it is full
+        throw write_error(file_, errno);
+    }
 }
 
 } // namespace eliminant::app

@@ -4,10 +4,13 @@
 
 #include "eliminant/base/run.hpp"
 
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace eliminant::app {
+
+class OutputStream;
 
 /// The place for results.
 class Destination {
@@ -24,11 +27,36 @@ class Destination {
     /// meanwhile
     void write(std::string_view text, Run& run) const;
 
-  private:
-    void replace_file(std::string_view text, Run& run) const;
+    /// For a result that is written in parts. \throws FileError
+    OutputStream open(Run& run) const;
 
+  private:
     std::string file_;   ///< as given; empty for standard output
     std::string target_; ///< where `file_` leads through symbolic links; empty if it is written in place
+};
+
+/// Takes a result in parts, as Destination::write takes it whole. What is not finished leaves the file as it
+/// was; standard output, devices and pipes have then received a part of it.
+class OutputStream {
+  public:
+    OutputStream(OutputStream&&) noexcept;
+    ~OutputStream();
+
+    /// \throws FileError, and Stopped if the run is interrupted meanwhile
+    void write(std::string_view text);
+    /// After the last part: the file gets its name. \throws FileError
+    void finish();
+
+  private:
+    friend class Destination;
+    class TemporaryFile;
+    OutputStream(std::string file, std::string target, Run& run);
+
+    std::string file_;   ///< as in Destination
+    std::string target_; ///< as in Destination
+    Run* run_;
+    int descriptor_ = -1;
+    std::unique_ptr<TemporaryFile> temporary_; ///< if the file is replaced
 };
 
 } // namespace eliminant::app

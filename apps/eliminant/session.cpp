@@ -112,6 +112,8 @@ void Session::write_result(std::string_view text) {
     destination_.write(text, run_);
 }
 
+OutputStream Session::open_result() { return destination_.open(run_); }
+
 void Session::write_incomplete(std::string_view reason) {
     if (options_.format != ResultFormat::json) return;
     Run unlimited; // the own one has been stopped

@@ -47,6 +47,8 @@ class Session {
 
     /// Writes the result, unless the run was stopped meanwhile.
     void write_result(std::string_view text);
+    /// For a result that is written in parts.
+    OutputStream open_result();
     /// What is still said when a limit was reached: in JSON that the result is incomplete, otherwise nothing.
     void write_incomplete(std::string_view reason);
 
