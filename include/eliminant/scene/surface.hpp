@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace eliminant::field {
-enum class DistanceLevel : unsigned char; // eliminant/field/distance.hpp
+enum class DistanceLevel; // eliminant/field/distance.hpp
 }
 
 namespace eliminant::scene {

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "eliminant/scene/clip_region.hpp"
+#include "eliminant/scene/ray.hpp"
+
+#include "field/exact_beam.hpp"
+
+#include <gmpxx.h>
+
+#include <cstddef>
+#include <optional>
+
+namespace eliminant::scene {
+
+/// How the rays of a grid become a beam: u and v count pixels from the middle of the grid, scaled to [−1, 1],
+/// and w ∈ [−1, 1] covers the part of the rays that lies in a ball. For parallel rays w is affine in t; for a
+/// pencil of rays it is affine in −1/t (field::BeamForms says why).
+class BeamFrame {
+  public:
+    /// Pictures are cut into blocks of this many pixels a side; the frame is that of whole blocks.
+    static constexpr std::size_t block_size = 32;
+
+    /// Nothing if the rays are neither parallel nor from one point, if the grid has no extent, or if the
+    /// origin of the pencil is not clearly outside the ball.
+    static std::optional<BeamFrame> make(const RayGrid& rays, const Ball& ball);
+
+    const field::BeamForms& forms() const { return forms_; }
+
+    mpq_class exact_u(std::size_t column) const;
+    mpq_class exact_v(std::size_t row) const;
+    double u(double column) const { return (column - middle_column_) / half_width_; } ///< exact for pixels
+    double v(double row) const { return (row - middle_row_) / half_height_; }
+    double half_width() const { return half_width_; } ///< pixels in a unit of u, a power of two
+    double half_height() const { return half_height_; }
+
+    /// An interval of t as one of w, rounded outward and cut to [−1, 1].
+    Interval w_from_t(Interval t) const;
+    double t_from_w(double w) const {
+        const double raw = middle_w_ + radius_w_ * w;
+        return is_pencil_ ? -1.0 / raw : raw;
+    }
+
+    /// The gradient in space, up to a positive factor, from the partial derivatives by u, v and w at a point
+    /// of the surface f = 0: on it the derivatives of the homogenised polynomial are those of f, up to powers
+    /// of t.
+    glm::dvec3 gradient(double u, double v, double t, glm::dvec3 by_uvw) const;
+
+  private:
+    BeamFrame() = default;
+    void make_forms(const RayGrid& rays);
+    std::optional<Interval> depth_range(const RayGrid& rays, const Ball& ball) const;
+
+    field::BeamForms forms_;
+    double middle_column_ = 0.0; ///< a multiple of 1/2
+    double middle_row_ = 0.0;
+    double half_width_ = 1.0;
+    double half_height_ = 1.0;
+    bool is_pencil_ = true;
+    double middle_w_ = 0.0;
+    double radius_w_ = 1.0;
+    // What moves with u and v: origins of parallel rays, directions of a pencil.
+    glm::dvec3 center_{0.0}; ///< direction of the ray u = v = 0
+    glm::dvec3 along_u_{0.0};
+    glm::dvec3 along_v_{0.0};
+    double orientation_ = 1.0; ///< sign of det(direction, along_u, along_v)
+};
+
+} // namespace eliminant::scene

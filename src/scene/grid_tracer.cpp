@@ -1,0 +1,315 @@
+#include "scene/grid_tracer.hpp"
+
+#include "scene/beam_frame.hpp"
+#include "scene/finite.hpp"
+
+#include "base/vector_unit.hpp"
+#include "field/beam.hpp"
+#include "field/beam_rows.hpp"
+#include "field/exact_beam.hpp"
+
+#include "eliminant/base/error.hpp"
+#include "eliminant/field/real_roots.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace eliminant::scene {
+namespace {
+
+void require_tile(const RayGrid& rays, const Tile& tile, std::size_t hits) {
+    if (tile.column > rays.width || tile.width > rays.width - tile.column || tile.row > rays.height ||
+        tile.height > rays.height - tile.row)
+        throw base::DomainError("trace: the tile does not lie in the grid");
+    if (hits != tile.size())
+        throw base::DomainError("trace: as many hits as pixels of the tile are expected");
+}
+
+void require_grid(const RayGrid& rays, const ClipRegion& clip) {
+    if (!clip.bounding_ball()) throw base::DomainError("trace: a grid of rays needs a bounded clip region");
+    for (const glm::dvec3& v :
+         {rays.origin, rays.origin_dx, rays.origin_dy, rays.direction, rays.direction_dx, rays.direction_dy})
+        if (!is_finite(v)) throw base::DomainError("trace: the rays must be finite");
+    if (rays.width == 0 || rays.height == 0) throw base::DomainError("trace: the grid has no rays");
+}
+
+/// Any grid: every ray by itself.
+class RayByRayTracer final : public GridTracer {
+  public:
+    RayByRayTracer(const Surface& surface, const RayGrid& rays, ClipRegion clip)
+        : surface_(surface), rays_(rays), clip_(std::move(clip)) {}
+
+    void trace(const Tile& tile, std::span<Hit> hits, base::Run& run) const override {
+        require_tile(rays_, tile, hits.size());
+        for (std::size_t r = 0; r < tile.height; ++r)
+            for (std::size_t c = 0; c < tile.width; ++c) {
+                run.poll();
+                const Ray ray =
+                    rays_.ray(static_cast<double>(tile.column + c), static_cast<double>(tile.row + r));
+                hits[r * tile.width + c] = surface_.first_hit(ray, clip_.interval(ray));
+            }
+    }
+
+  private:
+    const Surface& surface_;
+    RayGrid rays_;
+    ClipRegion clip_;
+};
+
+/// A block of pixels that one box of rays holds; blocks lie at multiples of its size, whatever tile is asked
+/// for, so that answers do not depend on tiles.
+constexpr std::size_t block_size = 32;
+using BlockRow = std::array<double, block_size>;
+
+/// The state of one row of a block on its way through the slabs.
+struct Row {
+    BlockRow lower{}; ///< of w, in the frame; lower > upper where there is nothing to do
+    BlockRow upper{};
+    std::array<Hit, block_size> hits{};
+    std::array<bool, block_size> undecided{};
+    bool pending = false;
+};
+
+class BeamTracer final : public GridTracer {
+  public:
+    BeamTracer(const algebra::Polynomial& f, const field::CompiledPolynomial& compiled, const RayGrid& rays,
+               ClipRegion clip, BeamFrame frame, base::Run& run)
+        : compiled_(compiled), rays_(rays), clip_(std::move(clip)), frame_(std::move(frame)),
+          exact_(f, frame_.forms(), run), wide_(exact_), degree_(exact_.layout().degree()),
+          solve_row_(field::beam_row_solver(base::best_vector_unit())) {}
+
+    void trace(const Tile& tile, std::span<Hit> hits, base::Run& run) const override {
+        require_tile(rays_, tile, hits.size());
+        const std::size_t first_column = tile.column - tile.column % block_size;
+        for (std::size_t row = tile.row - tile.row % block_size; row < tile.row + tile.height;
+             row += block_size)
+            for (std::size_t column = first_column; column < tile.column + tile.width; column += block_size) {
+                run.poll();
+                const Tile block{column, row, std::min(block_size, rays_.width - column),
+                                 std::min(block_size, rays_.height - row)};
+                trace_block(block, tile, hits, run);
+            }
+    }
+
+  private:
+    using Rows = std::array<Row, block_size>;
+
+    void trace_block(const Tile& block, const Tile& tile, std::span<Hit> hits, base::Run& run) const {
+        Rows rows;
+        const Interval range = clip(block, rows);
+        if (!range.empty()) {
+            const double width = static_cast<double>(block_size);
+            // Spans of the block between the middles of its outer pixels, and a bit more: exact powers of
+            // two.
+            const field::Span in_u{frame_.u(static_cast<double>(block.column) + 0.5 * (width - 1.0)),
+                                   0.5 * width / frame_.half_width()};
+            const field::Span in_v{frame_.v(static_cast<double>(block.row) + 0.5 * (width - 1.0)),
+                                   0.5 * width / frame_.half_height()};
+            const field::WideBeam part = wide_.part(in_u, in_v);
+            for (const field::Span& slab : slabs(range)) trace_slab(part, block, in_u, in_v, slab, rows);
+            for (std::size_t r = 0; r < block.height; ++r)
+                for (std::size_t c = 0; c < block.width; ++c)
+                    if (rows[r].undecided[c]) {
+                        run.poll();
+                        decide(block.column + c, block.row + r, {rows[r].lower[c], rows[r].upper[c]},
+                               rows[r].hits[c], run);
+                    }
+        }
+        const std::size_t first_row = std::max(block.row, tile.row);
+        const std::size_t first_column = std::max(block.column, tile.column);
+        const std::size_t last_column = std::min(block.column + block.width, tile.column + tile.width);
+        for (std::size_t r = first_row; r < std::min(block.row + block.height, tile.row + tile.height); ++r)
+            for (std::size_t c = first_column; c < last_column; ++c)
+                hits[(r - tile.row) * tile.width + (c - tile.column)] =
+                    rows[r - block.row].hits[c - block.column];
+    }
+
+    /// The intervals of all rays of the block in w; the least interval that contains them.
+    Interval clip(const Tile& block, Rows& rows) const {
+        Interval range{2.0, -2.0};
+        for (std::size_t r = 0; r < block.height; ++r) {
+            Row& row = rows[r];
+            row.lower.fill(1.0);
+            row.upper.fill(-1.0);
+            for (std::size_t c = 0; c < block.width; ++c) {
+                const Interval t = clip_.interval(
+                    rays_.ray(static_cast<double>(block.column + c), static_cast<double>(block.row + r)));
+                if (t.empty()) continue;
+                const Interval w = frame_.w_from_t(t);
+                row.lower[c] = w.lower;
+                row.upper[c] = w.upper;
+                row.pending = true;
+                range.lower = std::min(range.lower, w.lower);
+                range.upper = std::max(range.upper, w.upper);
+            }
+        }
+        return range;
+    }
+
+    /// The range of w in pieces, front to back: where the degree is high, values differ by so many orders of
+    /// magnitude along a ray that one rounding error for all of it would be too coarse.
+    std::vector<field::Span> slabs(Interval range) const {
+        const std::size_t count = degree_ <= 12 ? 1 : 2;
+        const double step = (range.upper - range.lower) / static_cast<double>(count);
+        std::vector<field::Span> result;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double lower = range.lower + static_cast<double>(i) * step;
+            const double upper = i + 1 == count ? range.upper : lower + step;
+            // Slightly too wide, so that slabs overlap; the last bits would else be lost between them.
+            result.push_back({0.5 * (lower + upper), 0.5 * (upper - lower) * (1.0 + 0x1p-40) + 0x1p-40});
+        }
+        return result;
+    }
+
+    void trace_slab(const field::WideBeam& part, const Tile& block, field::Span in_u, field::Span in_v,
+                    field::Span in_w, Rows& rows) const {
+        const field::Beam beam = part.slab(in_w);
+        if (beam.has_no_zero()) return settle(beam, block, rows);
+        for (std::size_t r = 0; r < block.height; ++r)
+            if (rows[r].pending) trace_row(beam, block, r, in_u, in_v, in_w, rows[r]);
+    }
+
+    /// All rays pass a slab without zeros.
+    static void settle(const field::Beam& beam, const Tile& block, Rows& rows) {
+        for (std::size_t r = 0; r < block.height; ++r)
+            for (std::size_t c = 0; c < block.width; ++c)
+                if (Hit& hit = rows[r].hits[c]; rows[r].lower[c] <= rows[r].upper[c] && hit.side == 0)
+                    hit.side = beam.coefficients[0] < 0.0 ? std::int8_t{-1} : std::int8_t{1};
+    }
+
+    void trace_row(const field::Beam& beam, const Tile& block, std::size_t r, field::Span in_u,
+                   field::Span in_v, field::Span in_w, Row& row) const {
+        std::array<double, field::BeamRow::stride * field::BeamRow::stride> coefficients;
+        std::array<double, field::BeamRow::stride * field::BeamRow::stride> v_derivative;
+        const double v = frame_.v(static_cast<double>(block.row + r));
+        beam.collapse_rows(exact_.layout(), (v - in_v.center) / in_v.radius, coefficients.data(),
+                           v_derivative.data());
+        BlockRow u{};
+        BlockRow lower{};
+        BlockRow upper{};
+        for (std::size_t c = 0; c < block_size; ++c) {
+            u[c] = (frame_.u(static_cast<double>(block.column + c)) - in_u.center) / in_u.radius;
+            const double from = (row.lower[c] - in_w.center) / in_w.radius - 0x1p-50;
+            const double to = (row.upper[c] - in_w.center) / in_w.radius + 0x1p-50;
+            const bool active = row.lower[c] <= row.upper[c] && !row.undecided[c] && !row.hits[c];
+            lower[c] = active ? std::max(from, -1.0) : 1.0;
+            upper[c] = active ? std::min(to, 1.0) : -1.0;
+        }
+        std::array<field::RayState, block_size> state;
+        std::array<std::int8_t, block_size> side;
+        std::array<std::uint8_t, block_size> steps;
+        BlockRow root;
+        BlockRow du;
+        BlockRow dv;
+        BlockRow dw;
+        solve_row_({.degree = degree_,
+                    .coefficients = coefficients.data(),
+                    .v_derivative = v_derivative.data(),
+                    .bernstein = field::bernstein_matrix(degree_),
+                    .error = beam.error + field::beam_row_rounding(degree_) * beam.magnitude,
+                    .count = block_size,
+                    .u = u.data(),
+                    .lower = lower.data(),
+                    .upper = upper.data(),
+                    .state = state.data(),
+                    .root = root.data(),
+                    .du = du.data(),
+                    .dv = dv.data(),
+                    .dw = dw.data(),
+                    .side = side.data(),
+                    .steps = steps.data()});
+        row.pending = false;
+        for (std::size_t c = 0; c < block.width; ++c) {
+            if (lower[c] > upper[c]) {
+                // Not in this slab, but maybe in a later one.
+                row.pending |= row.lower[c] <= row.upper[c] && !row.undecided[c] && !row.hits[c];
+                continue;
+            }
+            Hit& hit = row.hits[c];
+            hit.decision = Decision::vector;
+            hit.steps = static_cast<std::uint8_t>(std::min(hit.steps + steps[c], 255));
+            if (hit.side == 0) hit.side = side[c];
+            if (state[c] == field::RayState::undecided) {
+                row.undecided[c] = true;
+            } else if (state[c] == field::RayState::root) {
+                const double column = static_cast<double>(block.column + c);
+                hit.t = frame_.t_from_w(in_w.center + in_w.radius * root[c]);
+                hit.gradient =
+                    frame_.gradient(frame_.u(column), v, hit.t,
+                                    {du[c] / in_u.radius, dv[c] / in_v.radius, dw[c] / in_w.radius});
+                hit.kind = HitKind::crossing;
+            } else {
+                row.pending = true;
+            }
+        }
+    }
+
+    /// A ray that doubles could not decide: twice the precision, then integers.
+    void decide(std::size_t column, std::size_t row, Interval w, Hit& hit, base::Run& run) const {
+        hit = {};
+        double error = 0.0;
+        const double u = frame_.u(static_cast<double>(column));
+        const double v = frame_.v(static_cast<double>(row));
+        const auto restricted = wide_.on_ray(u, v, error);
+        const field::FirstRootAnswer answer = field::first_root(restricted, error, w.lower, w.upper);
+        hit.steps = static_cast<std::uint8_t>(std::min(answer.steps, 255));
+        hit.decision = Decision::wide;
+        double root = answer.root;
+        if (answer.state == field::RayState::undecided) {
+            hit.decision = Decision::exact;
+            const auto exact = exact_.on_ray(frame_.exact_u(column), frame_.exact_v(row));
+            if (std::ranges::all_of(exact, [](const mpz_class& c) { return c == 0; })) {
+                hit.kind = HitKind::contained;
+                hit.t = frame_.t_from_w(w.lower);
+                return;
+            }
+            const auto exact_root = field::first_real_root(exact, w.lower, w.upper, run);
+            if (!exact_root) return;
+            hit.kind = exact_root->multiplicity % 2 != 0 ? HitKind::crossing : HitKind::tangency;
+            hit.side = static_cast<std::int8_t>(exact_root->sign_before);
+            root = exact_root->value;
+        } else {
+            hit.side = static_cast<std::int8_t>(answer.side);
+            if (answer.state == field::RayState::no_root) return;
+            hit.kind = HitKind::crossing;
+        }
+        hit.t = frame_.t_from_w(root);
+        hit.gradient =
+            compiled_.jet(rays_.ray(static_cast<double>(column), static_cast<double>(row)).at(hit.t))
+                .gradient;
+    }
+
+    const field::CompiledPolynomial& compiled_;
+    RayGrid rays_;
+    ClipRegion clip_;
+    BeamFrame frame_;
+    field::ExactBeam exact_;
+    field::WideBeam wide_;
+    std::size_t degree_;
+    field::BeamRowSolver solve_row_;
+};
+
+} // namespace
+
+std::unique_ptr<GridTracer> make_ray_by_ray_tracer(const Surface& surface, const RayGrid& rays,
+                                                   const ClipRegion& clip) {
+    require_grid(rays, clip);
+    return std::make_unique<RayByRayTracer>(surface, rays, clip);
+}
+
+std::unique_ptr<GridTracer> make_grid_tracer(const algebra::Polynomial& f,
+                                             const field::CompiledPolynomial& compiled,
+                                             const Surface& surface, const RayGrid& rays,
+                                             const ClipRegion& clip, base::Run& run) {
+    require_grid(rays, clip);
+    if (f.total_degree() <= static_cast<std::int64_t>(field::max_kernel_degree))
+        if (auto frame = BeamFrame::make(rays, *clip.bounding_ball()))
+            return std::make_unique<BeamTracer>(f, compiled, rays, clip, std::move(*frame), run);
+    return std::make_unique<RayByRayTracer>(surface, rays, clip);
+}
+
+} // namespace eliminant::scene
