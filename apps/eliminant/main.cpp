@@ -20,6 +20,8 @@ constexpr std::array commands{
     CommandEntry{"divide", "multivariate division with quotients and remainder", make_divide},
     CommandEntry{"eliminate", "the consequences of a system without some variables", make_eliminate},
     CommandEntry{"ideal", "sum, product, intersection, quotient, membership, dimension, …", make_ideal},
+    CommandEntry{"distance", "how far a point is from a surface: estimates and a proven bound",
+                 make_distance},
 };
 
 const CommandEntry& find_command(std::string_view name) {

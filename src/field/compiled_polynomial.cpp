@@ -86,17 +86,19 @@ void set_coefficients(CompiledData& data, const std::vector<mpq_class>& exact) {
     data.magnitudes.assign(size, 0);
     data.double_doubles.assign(size, 0.0);
     data.floats.assign(size, 0);
-    std::vector<mpq_class> scaled;
+    data.wide.values.assign(size, Wide(0));
+    data.wide.magnitudes.assign(size, Wide(0));
     for (std::size_t t = 0; t < exact.size(); ++t) {
         const std::uint32_t slot = data.scheme.slots[t];
-        scaled.push_back(times_power_of_two(exact[t], -data.scale_exponent));
-        data.double_doubles[slot] = to_double_double(scaled.back());
+        const mpq_class scaled = times_power_of_two(exact[t], -data.scale_exponent);
+        data.wide.values[slot] = to_wide(scaled);
+        data.wide.magnitudes[slot] = abs(data.wide.values[slot]);
+        data.double_doubles[slot] = to_double_double(scaled);
         data.coefficients[slot] = data.double_doubles[slot].high;
         data.magnitudes[slot] = std::abs(data.coefficients[slot]);
         data.floats[slot] =
             static_cast<float>(times_power_of_two(exact[t], -data.scale_exponent_float).get_d());
     }
-    data.wide = make_wide_coefficients(data.scheme, scaled);
 }
 
 void set_bounds(CompiledData& data, std::span<const Exponents> terms) {
@@ -107,7 +109,7 @@ void set_bounds(CompiledData& data, std::span<const Exponents> terms) {
     data.majorant.assign(degree + 1, 0);
     for (std::size_t t = 0; t < terms.size(); ++t)
         data.majorant[terms[t][0] + terms[t][1] + terms[t][2]] += data.magnitudes[data.scheme.slots[t]];
-    for (double& sum : data.majorant) sum = sum * (1 + 0x1p-26) + 0x1p-960; // at most 2^24 additions each
+    for (double& sum : data.majorant) sum = sum * (1 + 0x1p-26) + 0x1p-900; // at most 2^24 additions each
 }
 
 std::shared_ptr<const CompiledData> compile(Polynomial f) {
@@ -202,7 +204,7 @@ JetError CompiledPolynomial::close_error_bound(const glm::dvec3& point) const {
 }
 
 double with_underflow(double sum, double r, int degree) {
-    return sum + 0x1p-960 * std::pow(std::max(1.0, r), degree);
+    return sum + 0x1p-900 * std::pow(std::max(1.0, r), degree);
 }
 
 } // namespace eliminant::field

@@ -7,8 +7,7 @@
 
 #include "field/arithmetic.hpp"
 #include "field/compiled_data.hpp"
-
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include "field/wide_float.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +17,8 @@ namespace eliminant::field {
 
 namespace {
 
-namespace mp = boost::multiprecision;
-
-/// 256 bits; exponents of 31 bits hold every power of a double that a polynomial of max_degree takes.
-using Wide = mp::number<mp::cpp_bin_float<256, mp::digit_base_2, void, std::int32_t>, mp::et_off>;
-constexpr double wide_unit = 0x1p-255;
+constexpr double smallest = std::numeric_limits<double>::denorm_min();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class Number>
 Number value_of(const CompiledData& data, const std::vector<Number>& coefficients, const glm::dvec3& point) {
@@ -67,44 +63,13 @@ class Escalation {
     double r_;
 };
 
-} // namespace
-
-struct WideCoefficients {
-    std::vector<Wide> values;
-    std::vector<Wide> magnitudes;
-};
-
-std::shared_ptr<const WideCoefficients> make_wide_coefficients(const NestedScheme& scheme,
-                                                               const std::vector<mpq_class>& terms) {
-    auto result = std::make_shared<WideCoefficients>();
-    result->values.assign(scheme.size, Wide(0));
-    for (std::size_t t = 0; t < terms.size(); ++t) {
-        // Six doubles of 53 bits each, largest first.
-        mpq_class rest = terms[t];
-        Wide& value = result->values[scheme.slots[t]];
-        for (int part = 0; part < 6 && sgn(rest) != 0; ++part) {
-            const double leading = rest.get_d();
-            if (leading == 0) break; // below the range: the share of underflow
-            value += leading;
-            rest -= leading;
-        }
-    }
-    for (const Wide& value : result->values) result->magnitudes.push_back(abs(value));
-    return result;
-}
-
-namespace {
-
 Approximation Escalation::in_wide() const {
-    const Wide value = value_of(data_, data_.wide->values, point_);
-    const Wide underflow = Wide(0x1p-960) * pow(Wide(std::max(1.0, r_)), data_.degree);
-    const Wide error = scaled_factor(data_, wide_unit) * value_of(data_, data_.wide->magnitudes, magnitude_) +
-                       data_.error_factor * underflow;
-    if (abs(value) > std::numeric_limits<double>::max() || error > std::numeric_limits<double>::max())
-        return {0, std::numeric_limits<double>::infinity()};
+    const Wide value = value_of(data_, data_.wide.values, point_);
+    const Wide error = scaled_factor(data_, wide_unit) * value_of(data_, data_.wide.magnitudes, magnitude_);
+    constexpr double largest = std::numeric_limits<double>::max();
+    if (abs(value) > largest || error > largest) return {0, infinity};
     const auto rounded = value.convert_to<double>();
-    return {rounded, error.convert_to<double>() * (1 + 0x1p-50) + std::abs(rounded) * 0x1p-52 +
-                         std::numeric_limits<double>::denorm_min()};
+    return {rounded, error.convert_to<double>() * (1 + 0x1p-50) + std::abs(rounded) * 0x1p-52 + smallest};
 }
 
 Approximation Escalation::exactly() const {
@@ -115,9 +80,8 @@ Approximation Escalation::exactly() const {
     else
         mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-data_.scale_exponent));
     if (sgn(value) == 0) return {0, 0};
-    constexpr double smallest = std::numeric_limits<double>::denorm_min();
     const double rounded = value.get_d(); // towards zero
-    if (std::isinf(rounded)) return {rounded, std::numeric_limits<double>::infinity()};
+    if (std::isinf(rounded)) return {rounded, infinity};
     if (rounded == 0) return {sgn(value) * smallest, smallest};
     return {rounded, std::abs(rounded) * 0x1p-52 + smallest};
 }

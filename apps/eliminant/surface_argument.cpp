@@ -1,0 +1,160 @@
+#include "surface_argument.hpp"
+
+#include "input.hpp"
+#include "suggestion.hpp"
+
+#include "eliminant/algebra/evaluation.hpp"
+#include "eliminant/algebra/parse.hpp"
+#include "eliminant/implicit/implicitize.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace eliminant::app {
+
+const std::string_view surface_help =
+    "SURFACE is a polynomial or an equation in x, y, z, or a file with one; or a file with a "
+    "parametrization\n"
+    "(see 'eliminant implicitize --help'), which is implicitized first, or its statements as several\n"
+    "arguments. Other names are constants and get their values by --set.\n";
+
+namespace {
+
+const std::array<std::string, 3> coordinate_names = {"x", "y", "z"};
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
+}
+
+bool is_parametrization(std::string_view text) {
+    int equations = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = trimmed(text.substr(0, std::min(end, text.find('#'))));
+        const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+        if (word == "parameters" || word == "constants" || word == "relation") return true;
+        if (line.find('=') != std::string_view::npos) ++equations;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return equations > 1;
+}
+
+/// The values of the constants that occur, as evaluate() takes them.
+struct Substitution {
+    std::vector<std::size_t> variables;
+    std::vector<mpq_class> values;
+};
+
+[[noreturn]] void reject_without_value(const std::string& name) {
+    throw UsageError("SURFACE: expected a value for the constant '" + name + "', as --set " + name +
+                     "=2, found none");
+}
+
+/// Every name that occurs must have a value, and every value a name that occurs.
+Substitution substitution(const Ring& ring, std::span<const std::size_t> constants,
+                          const ConstantValues& given) {
+    Substitution result;
+    std::vector<std::string_view> names;
+    for (const std::size_t variable : constants) {
+        const std::string& name = ring.names()[variable];
+        names.push_back(name);
+        const auto found = std::ranges::find(given.values(), name, &ConstantValues::Value::name);
+        if (found == given.values().end()) reject_without_value(name);
+        result.variables.push_back(variable);
+        result.values.push_back(found->value);
+    }
+    for (const ConstantValues::Value& value : given.values())
+        if (std::ranges::find(names, value.name) == names.end())
+            throw UsageError("--set: expected a constant of the surface, found '" + value.name + "'" +
+                             did_you_mean(value.name, names));
+    return result;
+}
+
+/// The polynomial in the ring QQ[x, y, z], its variables being mapped in their sequence.
+Polynomial in_coordinates(const Polynomial& f, std::size_t coordinates) {
+    std::vector<std::size_t> map(f.ring().variable_count(), Polynomial::dropped);
+    for (std::size_t i = 0; i < coordinates; ++i) map[i] = i;
+    return f.in_ring(Ring(CoefficientField::rationals(), {"x", "y", "z"}), map);
+}
+
+Polynomial read_polynomial(const SourceText& source, const ConstantValues& given, Run& run) {
+    std::vector<std::string> names(coordinate_names.begin(), coordinate_names.end());
+    std::vector<std::size_t> constants;
+    for (const std::string& name : names_in(source)) {
+        if (std::ranges::find(coordinate_names, name) != coordinate_names.end()) continue;
+        constants.push_back(names.size());
+        names.push_back(name);
+    }
+    const Ring ring(CoefficientField::rationals(), std::move(names));
+    Polynomial f = parse_equation(ring, source, run); // first, so that a text which is no formula is told so
+    const Substitution at = substitution(ring, constants, given);
+    return in_coordinates(evaluate(f, at.variables, at.values, run), 3);
+}
+
+/// The same map with numbers for its constants.
+Parametrization with_values(const Parametrization& map, const ConstantValues& given, Run& run) {
+    const Substitution at = substitution(map.ring(), map.constants(), given);
+    const auto specialised = [&](const Polynomial& f) { return evaluate(f, at.variables, at.values, run); };
+    std::vector<Coordinate> coordinates;
+    for (const Coordinate& coordinate : map.coordinates())
+        coordinates.push_back({coordinate.name, RationalFunction(specialised(coordinate.value.numerator),
+                                                                 specialised(coordinate.value.denominator))});
+    std::vector<Polynomial> relations;
+    for (const Polynomial& relation : map.relations()) relations.push_back(specialised(relation));
+    return {map.ring(),      map.constants(),      std::move(coordinates),
+            map.rotations(), std::move(relations), map.warnings()};
+}
+
+Polynomial implicit_surface(const Parametrization& map, const ConstantValues& given, Session& session) {
+    const std::size_t coordinates = map.coordinates().size();
+    if (coordinates < 2 || coordinates > 3)
+        throw UsageError("SURFACE: expected a parametrization of 2 or 3 coordinates, found " +
+                         std::to_string(coordinates));
+    const ImplicitResult result = implicitize(with_values(map, given, session.run()), {}, session.run());
+    for (const std::string& warning : result.warnings) session.console().warning(warning);
+    if (result.equations.size() != 1 || result.codimension != 1)
+        throw UsageError("SURFACE: expected a parametrization whose image has one equation, found one of "
+                         "codimension " +
+                         std::to_string(result.codimension));
+    return in_coordinates(result.equations.front(), coordinates);
+}
+
+} // namespace
+
+void ConstantValues::declare(OptionSet& options) {
+    options.values("set", "NAME=VALUE", "the value of a constant, as r=2 or r=1/3; once for each constant",
+                   [this](std::string_view text) { set(text); });
+}
+
+void ConstantValues::set(std::string_view text) {
+    const std::size_t sign = text.find('=');
+    const std::string name(trimmed(text.substr(0, sign)));
+    if (sign == std::string_view::npos || !algebra::is_identifier(name))
+        throw UsageError("--set", "NAME=VALUE, as r=2", "'" + std::string(text) + "'");
+    Value value{name, parse_rational(SourceText(text.substr(sign + 1), "--set " + name))};
+    const auto earlier = std::ranges::find(values_, name, &Value::name);
+    if (earlier == values_.end())
+        values_.push_back(std::move(value));
+    else
+        *earlier = std::move(value); // the last of several wins, as with every option
+}
+
+Polynomial read_surface(std::span<const std::string> operands, const ConstantValues& constants,
+                        Session& session) {
+    Run& run = session.run();
+    if (operands.size() > 1) {
+        const Input input = input_of(operands, looks_like_equation, run);
+        std::vector<SourceText> statements;
+        for (const Input::Part& part : input.parts) statements.emplace_back(part.text, part.name);
+        return implicit_surface(parse_parametrization(statements, run), constants, session);
+    }
+    const Input input = input_of(operands, looks_like_polynomial, run);
+    const SourceText source(input.parts.front().text, input.parts.front().name);
+    if (is_parametrization(source.text()))
+        return implicit_surface(parse_parametrization(source, run), constants, session);
+    return read_polynomial(source, constants, run);
+}
+
+} // namespace eliminant::app
