@@ -115,7 +115,8 @@ std::string_view to_string(DistanceLevel level) {
 DistanceField::DistanceField(CompiledPolynomial f) : f_(std::move(f)), data_(make_distance_data(f_)) {}
 
 Estimate<double> guaranteed_bound(const LocalForms<double>& forms) {
-    constexpr double up = 1 + 0x1p-40; // more than the roundings of each norm
+    // More than the roundings of each norm, a sum of at most (k+1)(k+2)/2 squares.
+    const double up = 1 + (forms.degree + 8.0) * (forms.degree + 8.0) * 0x1p-52;
     const double value = (std::abs(forms.value) - forms.error(0)) * (1 - 0x1p-50);
     if (!(value > 0)) return {0, infinity};
     SmallBuffer<double, 33> higher(forms.size());
