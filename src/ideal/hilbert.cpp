@@ -1,7 +1,7 @@
 #include "eliminant/ideal/hilbert.hpp"
 
 #include "eliminant/algebra/arithmetic.hpp"
-#include "ideal/monomial_ideal.hpp"
+#include "groebner/monomial_ideal.hpp"
 #include "ideal/ring_change.hpp"
 
 #include <utility>
@@ -31,7 +31,7 @@ mpz_class exponent_of(const Polynomial& f, std::size_t i) {
 HilbertSeries leading_series(const std::vector<Polynomial>& basis, std::size_t denominator_exponent,
                              base::Run& run) {
     PolynomialBuilder builder(Ring(CoefficientField::rationals(), {"t"}));
-    for (const auto& [exponent, coefficient] : hilbert_numerator(leading_exponents(basis), run)) {
+    for (const auto& [exponent, coefficient] : groebner::hilbert_numerator(groebner::leading_exponents(basis), run)) {
         const std::vector<std::uint64_t> exponents{exponent};
         builder.add(coefficient, exponents);
     }

@@ -2,17 +2,21 @@
 
 #include "eliminant/algebra/arithmetic.hpp"
 #include "eliminant/ideal/hilbert.hpp"
-#include "ideal/monomial_ideal.hpp"
+#include "eliminant/ideal/operations.hpp"
+#include "groebner/monomial_ideal.hpp"
 #include "ideal/ring_change.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace eliminant::ideal {
 
 using algebra::Monomial;
+using algebra::MonomialOrder;
 using algebra::Polynomial;
 using algebra::Ring;
+using groebner::Exponents;
 
 namespace {
 
@@ -32,39 +36,11 @@ void collect_standard(const std::vector<Exponents>& leading, Exponents& m, std::
     }
     // m has exponent 0 from `variable` on. Once a leading monomial divides it, larger exponents are of no
     // use.
-    const auto is_divisor = [&m](const Exponents& l) { return divides(l, m); };
+    const auto is_divisor = [&m](const Exponents& l) { return groebner::divides(l, m); };
     for (; std::ranges::none_of(leading, is_divisor); ++m[variable])
         collect_standard(leading, m, variable + 1, ring, result, run);
     m[variable] = 0;
 }
-
-/// Vectors in echelon form, each with the linear combination of the vectors given that it is.
-class Echelon {
-  public:
-    /// If `vector` depends on those added before, the combination that gives 0; otherwise adds it.
-    std::optional<Polynomial> add(Polynomial vector, Polynomial combination) {
-        // Rows descend by leading monomial; one pass clears all leading monomials in the way.
-        auto row = rows_.begin();
-        for (; row != rows_.end() && !vector.is_zero(); ++row) {
-            const auto order = row->vector.leading_monomial() <=> vector.leading_monomial();
-            if (order > 0) continue;
-            if (order < 0) break;
-            const mpq_class factor = vector.leading_coefficient() / row->vector.leading_coefficient();
-            vector -= row->vector.scaled(factor);
-            combination -= row->combination.scaled(factor);
-        }
-        if (vector.is_zero()) return combination;
-        rows_.insert(row, {std::move(vector), std::move(combination)});
-        return std::nullopt;
-    }
-
-  private:
-    struct Row {
-        Polynomial vector;
-        Polynomial combination;
-    };
-    std::vector<Row> rows_;
-};
 
 } // namespace
 
@@ -72,7 +48,7 @@ bool is_zero_dimensional(const Ideal& I, base::Run& run) {
     const std::size_t n = I.ring().variable_count();
     std::vector<bool> has_power(n, false);
     if (I.is_unit(run)) return true;
-    for (const Exponents& m : leading_exponents(I.some_groebner_basis(run))) {
+    for (const Exponents& m : groebner::leading_exponents(I.some_groebner_basis(run))) {
         const auto occurs = [](std::uint64_t e) { return e != 0; };
         if (std::ranges::count_if(m, occurs) != 1) continue;
         has_power[static_cast<std::size_t>(std::ranges::find_if(m, occurs) - m.begin())] = true;
@@ -89,7 +65,7 @@ std::vector<Monomial> standard_monomials(const Ideal& I, base::Run& run) {
     require_zero_dimensional(I, "standard monomials", run);
     std::vector<Monomial> result;
     Exponents m(I.ring().variable_count(), 0);
-    const std::vector<Exponents> leading = leading_exponents(I.groebner_basis(run));
+    const std::vector<Exponents> leading = groebner::leading_exponents(I.groebner_basis(run));
     if (!I.is_unit(run)) collect_standard(leading, m, 0, I.ring(), result, run);
     std::ranges::sort(result);
     return result;
@@ -98,21 +74,25 @@ std::vector<Monomial> standard_monomials(const Ideal& I, base::Run& run) {
 Polynomial minimal_polynomial(const Ideal& I, const Polynomial& f, base::Run& run) {
     require_same_ring(I.ring(), f.ring(), "minimal polynomial modulo an ideal");
     require_zero_dimensional(I, "minimal polynomial", run);
-    const std::vector<Polynomial>& basis = I.some_groebner_basis(run);
-    const Ring ring = I.ring().with_order(I.is_zero() ? I.ring().order() : basis.front().ring().order());
-    const Polynomial multiplier = normal_form(f.in_ring(ring), basis, run);
-    const Ring univariate(ring.field(), {"t"});
-    const Polynomial t = Polynomial::variable(univariate, std::size_t{0});
-
-    Echelon echelon;
-    Polynomial power_of_t = Polynomial::constant(univariate, 1);
-    Polynomial power_of_f = normal_form(Polynomial::constant(ring, 1), basis, run);
-    for (;;) {
-        run.poll();
-        if (const auto relation = echelon.add(power_of_f, power_of_t)) return relation->monic();
-        power_of_t = power_of_t * t;
-        power_of_f = normal_form(multiply(power_of_f, multiplier, run), basis, run);
-    }
+    const Ring univariate(I.ring().field(), {"t"});
+    if (I.is_unit(run)) return Polynomial::constant(univariate, 1);
+    // With a variable more, a large one, the basis and t − f's normal form are a reduced basis of an ideal
+    // with the same residue class ring, in which t is f; what is looked for generates its elimination ideal.
+    std::vector<std::string> names = {fresh_name(I.ring(), "t")};
+    names.insert(names.end(), I.ring().names().begin(), I.ring().names().end());
+    const Ring extended(I.ring().field(), std::move(names), MonomialOrder::elimination({0}));
+    const Polynomial t = Polynomial::variable(extended, std::size_t{0});
+    const Ring graded = I.ring().with_order(MonomialOrder::degrevlex());
+    std::vector<Polynomial> with_t;
+    const std::vector<Polynomial>& basis = I.groebner_basis(graded.order(), run);
+    for (const Polynomial& g : basis) with_t.push_back(g.in_ring(extended));
+    const Polynomial image = normal_form(f.in_ring(graded), basis, run);
+    with_t.push_back((t - image.in_ring(extended)).primitive_part());
+    std::vector<std::size_t> others(I.ring().variable_count());
+    std::iota(others.begin(), others.end(), std::size_t{1});
+    const Ideal J = Ideal::from_groebner_basis(extended, extended.order(), std::move(with_t));
+    const Polynomial generator = eliminate(J, others, run).generators().front();
+    return generator.in_ring(univariate, std::vector<std::size_t>{0}).monic();
 }
 
 } // namespace eliminant::ideal

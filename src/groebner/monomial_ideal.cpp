@@ -1,4 +1,4 @@
-#include "ideal/monomial_ideal.hpp"
+#include "groebner/monomial_ideal.hpp"
 
 #include "eliminant/base/error.hpp"
 
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <optional>
 
-namespace eliminant::ideal {
+namespace eliminant::groebner {
 
 using algebra::Integer;
 
@@ -131,4 +131,4 @@ SparseSeries hilbert_numerator(std::vector<Exponents> generators, base::Run& run
     return numerator_of(generators, run);
 }
 
-} // namespace eliminant::ideal
+} // namespace eliminant::groebner
