@@ -78,6 +78,7 @@ class Basis {
 /// All terms in another layout of the same ring that is at least as wide.
 template <class Element>
 TermList<Element> widened(TermList<Element> terms, const MonomialLayout& layout) {
+    if (terms.layout == &layout) return terms;
     TermList<Element> result(layout);
     result.monomials.resize(terms.size() * layout.words());
     for (std::size_t i = 0; i < terms.size(); ++i)
@@ -88,10 +89,18 @@ TermList<Element> widened(TermList<Element> terms, const MonomialLayout& layout)
 
 template <class Element>
 std::vector<Word> Basis<Element>::packed_field_maxima(const TermList<Element>& terms) const {
-    const std::vector<std::uint64_t> maxima = terms.field_maxima();
-    std::vector<Word> packed(layout_->words(), 0);
-    layout_->pack_fields(maxima, packed.data());
-    return packed;
+    std::vector<Word> maxima(layout_->words(), 0);
+    const Word guard = layout_->guard();
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        const Word* m = terms.monomial(i);
+        for (std::size_t w = 0; w < maxima.size(); ++w) {
+            // All fields of a word at once: a guard survives the difference where the field is not less.
+            const Word not_less = ((m[w] | guard) - maxima[w]) & guard;
+            const Word mask = not_less - (not_less >> (layout_->bits() - 1));
+            maxima[w] = (m[w] & mask) | (maxima[w] & ~mask);
+        }
+    }
+    return maxima;
 }
 
 template <class Element>
