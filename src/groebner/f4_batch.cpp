@@ -90,7 +90,12 @@ class StoreBatchReducer final : public BatchReducer {
                 if (half != store_.reducer_of(lcm)) halves.emplace_back(lcm, half);
             }
         }
-        std::ranges::sort(halves);
+        // Descending: neighbours have much the same pivots, and are reduced together.
+        std::ranges::sort(halves, [this](const auto& a, const auto& b) {
+            if (a.first != b.first)
+                return layout_.compare(store_.monomial(a.first), store_.monomial(b.first)) > 0;
+            return a.second < b.second;
+        });
         halves.erase(std::unique(halves.begin(), halves.end()), halves.end());
         for (const auto& [lcm, half] : halves) {
             layout_.divide(store_.monomial(lcm), basis_.lead(half), multiplier_.data());
