@@ -88,6 +88,8 @@ class GroebnerCommand : public Command {
             throw UsageError("--algorithm: f4 needs a field GF(p); over QQ this version has buchberger");
         BuchbergerOptions options;
         options.selection = groebner::Selection::normal;
+        if (assurance_ == Assurance::probable)
+            options.linear_algebra = groebner::LinearAlgebra::probabilistic;
         return f4(system.ring, system.polynomials, options, run);
     }
 

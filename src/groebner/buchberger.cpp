@@ -40,6 +40,7 @@ Statistics& Statistics::operator+=(const Statistics& other) {
         largest_matrix_rows * largest_matrix_columns) {
         largest_matrix_rows = other.largest_matrix_rows;
         largest_matrix_columns = other.largest_matrix_columns;
+        largest_matrix_entries = other.largest_matrix_entries;
     }
     return *this;
 }

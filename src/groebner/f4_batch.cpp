@@ -16,9 +16,10 @@ template <std::size_t Words>
 class StoreBatchReducer final : public BatchReducer {
   public:
     StoreBatchReducer(const algebra::PrimeField& field, const Basis<Element>& basis,
-                      std::size_t generator_count, base::Run& run)
-        : field_(field), basis_(basis), layout_(basis.layout()), generator_count_(generator_count), run_(run),
-          store_(basis), multiplier_(layout_.words()) {}
+                      std::size_t generator_count, LinearAlgebra linear_algebra, base::Run& run)
+        : field_(field), basis_(basis), layout_(basis.layout()), generator_count_(generator_count),
+          combine_(linear_algebra == LinearAlgebra::probabilistic && MacaulayMatrix::can_combine(field)),
+          run_(run), store_(basis), multiplier_(layout_.words()) {}
 
     Batch reduce(std::span<const CriticalPair> pairs, std::span<const BasisElement<Element>> generators,
                  F4Round* record) override {
@@ -139,9 +140,17 @@ class StoreBatchReducer final : public BatchReducer {
         for (const WantedRow& row : wanted_)
             to_columns(indices_of(row), matrix.add_row(row.element->terms.coefficients));
         MacaulayMatrix::Transcript transcript;
-        const std::vector<MacaulayMatrix::Row> found = matrix.echelon(run_, record ? &transcript : nullptr);
+        MacaulayMatrix::EchelonOptions options;
+        if (record)
+            options.transcript = &transcript;
+        else
+            options.combine = combine_;
+        options.seed = run_.seed() + round_;
+        const auto [found, failure_bound] = matrix.echelon(options, run_);
         if (record) *record = recorded(transcript, found);
         Batch batch;
+        batch.failure_bound = failure_bound;
+        batch.entries = matrix.entry_count();
         batch.rows = matrix.row_count();
         batch.columns = matrix.column_count();
         for (const MacaulayMatrix::Row& row : found) batch.found.push_back(terms_of(row));
@@ -206,6 +215,7 @@ class StoreBatchReducer final : public BatchReducer {
     const Basis<Element>& basis_;
     const MonomialLayout& layout_;
     std::size_t generator_count_;
+    bool combine_; ///< random combinations of rows
     base::Run& run_;
     Store store_;
     std::uint32_t round_ = 0;
@@ -223,16 +233,16 @@ class StoreBatchReducer final : public BatchReducer {
 
 std::unique_ptr<BatchReducer> make_batch_reducer(const algebra::PrimeField& field,
                                                  const Basis<Element>& basis, std::size_t generator_count,
-                                                 base::Run& run) {
+                                                 LinearAlgebra linear_algebra, base::Run& run) {
     switch (basis.layout().words()) {
     case 1:
-        return std::make_unique<StoreBatchReducer<1>>(field, basis, generator_count, run);
+        return std::make_unique<StoreBatchReducer<1>>(field, basis, generator_count, linear_algebra, run);
     case 2:
-        return std::make_unique<StoreBatchReducer<2>>(field, basis, generator_count, run);
+        return std::make_unique<StoreBatchReducer<2>>(field, basis, generator_count, linear_algebra, run);
     case 3:
-        return std::make_unique<StoreBatchReducer<3>>(field, basis, generator_count, run);
+        return std::make_unique<StoreBatchReducer<3>>(field, basis, generator_count, linear_algebra, run);
     default:
-        return std::make_unique<StoreBatchReducer<0>>(field, basis, generator_count, run);
+        return std::make_unique<StoreBatchReducer<0>>(field, basis, generator_count, linear_algebra, run);
     }
 }
 

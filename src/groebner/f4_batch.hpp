@@ -16,11 +16,13 @@ struct Batch {
     std::vector<TermList<std::uint32_t>> found; ///< monic, descending by leading monomial
     std::size_t rows = 0;
     std::size_t columns = 0;
+    std::size_t entries = 0;  ///< that are not 0
+    double failure_bound = 0; ///< probability that something is missing is at most this
 };
 
 /// Builds and reduces the matrices of F4 over the present layout of the basis. Methods throw LayoutTooNarrow
 /// where a product does not fit, Stopped when the run is stopped, and may be called again after either.
-/// `record`, if not null, is filled in.
+/// `record`, if not null, is filled in, and the linear algebra is then exact.
 class BatchReducer {
   public:
     using Element = std::uint32_t;
@@ -37,6 +39,7 @@ class BatchReducer {
 /// `generator_count` is the number of the first basis element among the operands of F4Round.
 std::unique_ptr<BatchReducer> make_batch_reducer(const algebra::PrimeField& field,
                                                  const Basis<std::uint32_t>& basis,
-                                                 std::size_t generator_count, base::Run& run);
+                                                 std::size_t generator_count, LinearAlgebra linear_algebra,
+                                                 base::Run& run);
 
 } // namespace eliminant::groebner

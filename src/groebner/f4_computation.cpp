@@ -21,7 +21,9 @@ void F4Computation::layout_changed() {
 }
 
 BatchReducer& F4Computation::batch_reducer() {
-    if (!batch_reducer_) batch_reducer_ = make_batch_reducer(domain_.field, basis_, generators_.size(), run_);
+    if (!batch_reducer_)
+        batch_reducer_ =
+            make_batch_reducer(domain_.field, basis_, generators_.size(), options_.linear_algebra, run_);
     return *batch_reducer_;
 }
 
@@ -37,6 +39,8 @@ void F4Computation::treat_batch(const std::vector<CriticalPair>& pairs) {
         sugar = std::max(sugar, is_generator ? generators_[pair.second].sugar : pair.sugar);
     }
     queue_.remove_best(pairs.size());
+    if (batch.failure_bound > 0) result_.proof = Proof::bounded;
+    result_.failure_bound += batch.failure_bound;
     Statistics& statistics = result_.statistics;
     statistics.pairs_treated += treated;
     statistics.zero_reductions += treated - std::min<std::uint64_t>(treated, batch.found.size());
@@ -44,6 +48,7 @@ void F4Computation::treat_batch(const std::vector<CriticalPair>& pairs) {
     if (batch.rows * batch.columns > statistics.largest_matrix_rows * statistics.largest_matrix_columns) {
         statistics.largest_matrix_rows = batch.rows;
         statistics.largest_matrix_columns = batch.columns;
+        statistics.largest_matrix_entries = batch.entries;
     }
     // Descending: where one leading monomial divides another, the larger one comes first and is then
     // superseded, as the criteria expect.

@@ -66,6 +66,9 @@ struct LaneKernels {
     LaneReduction<std::uint32_t> reduce_rows; ///< eight rows by the same ones
     LaneReduction<LaneEntry> reduce_primes;   ///< one row modulo eight primes
 
+    /// dense −= factor · row, lane by lane, the leading entry included.
+    void (*subtract_row)(const LanePrimes& primes, const LaneEntry& factor,
+                         const SparseRow<std::uint32_t>& row, LaneSum* dense);
     /// entries[i] *= factor, lane by lane.
     void (*scale)(const LanePrimes& primes, const LaneEntry& factor, std::size_t size, LaneEntry* entries);
     /// entries[i] −= factor · entries[i].lane[lane], lane by lane: subtracts multiples of one lane from the

@@ -30,13 +30,13 @@ struct Primes {
     }
 };
 
-/// dense −= factor·row, without its leading entry.
+/// dense −= factor·row, from entry `first` of the row on.
 template <class Coefficient>
 inline void subtract_multiple(const Vector& factor, const Vector& square, const SparseRow<Coefficient>& row,
-                              LaneSum* dense) {
+                              std::size_t first, LaneSum* dense) {
     const std::uint32_t* columns = row.columns;
     const Coefficient* coefficients = row.coefficients;
-    for (std::size_t i = 1; i < row.size; ++i) {
+    for (std::size_t i = first; i < row.size; ++i) {
         LaneSum& entry = dense[columns[i]];
         const Vector product = multiply_low_halves(factor, load(coefficients[i]));
         store(entry, subtract_modulo(load(entry), product, square));
@@ -58,7 +58,7 @@ std::size_t reduce(const LanePrimes& lane_primes, const SparseRow<Coefficient>* 
         if (lanes == 0) continue;
         if (by_column[c].columns != nullptr) {
             if (used != nullptr) used[c] = static_cast<std::uint8_t>(used[c] | lanes);
-            subtract_multiple(value, primes.square, by_column[c], dense);
+            subtract_multiple(value, primes.square, by_column[c], 1, dense); // entry c is 0 already
             continue;
         }
         columns[count] = static_cast<std::uint32_t>(c);
@@ -66,6 +66,11 @@ std::size_t reduce(const LanePrimes& lane_primes, const SparseRow<Coefficient>* 
         ++count;
     }
     return count;
+}
+
+void subtract_row(const LanePrimes& lane_primes, const LaneEntry& factor, const SparseRow<std::uint32_t>& row,
+                  LaneSum* dense) {
+    subtract_multiple(load(factor), load(lane_primes.square), row, 0, dense);
 }
 
 void scale(const LanePrimes& lane_primes, const LaneEntry& factor, std::size_t size, LaneEntry* entries) {
@@ -87,7 +92,7 @@ void subtract_lane(const LanePrimes& lane_primes, const LaneEntry& factor, std::
     }
 }
 
-constexpr LaneKernels kernels{reduce<std::uint32_t>, reduce<LaneEntry>, scale, subtract_lane};
+constexpr LaneKernels kernels{reduce<std::uint32_t>, reduce<LaneEntry>, subtract_row, scale, subtract_lane};
 
 } // namespace
 } // namespace eliminant::groebner

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <random>
 #include <utility>
 
 namespace eliminant::groebner {
@@ -32,27 +34,37 @@ class Elimination {
     using Element = MacaulayMatrix::Element;
     using Row = MacaulayMatrix::Row;
 
-    Elimination(const MacaulayMatrix& matrix, base::Run& run, MacaulayMatrix::Transcript* transcript,
-                base::VectorUnit unit)
-        : matrix_(matrix), run_(run), transcript_(transcript), kernels_(lane_kernels(unit)),
-          primes_(same_in_all_lanes(matrix.field_)), by_column_(matrix.columns_), workers_(run.threads()) {
+    Elimination(const MacaulayMatrix& matrix, const MacaulayMatrix::EchelonOptions& options, base::Run& run)
+        : matrix_(matrix), options_(options), run_(run), transcript_(options.transcript),
+          kernels_(lane_kernels(options.unit)), primes_(same_in_all_lanes(matrix.field_)),
+          by_column_(matrix.columns_), workers_(run.threads()), random_(options.seed) {
         for (const MacaulayMatrix::Reference& reference : matrix.pivots_) {
             const SparseRow<Element> pivot = matrix.row(reference);
             by_column_[pivot.columns[0]] = pivot;
         }
-        if (transcript) transcript->pivots.assign(matrix.columns_, false);
+        if (transcript_) transcript_->pivots.assign(matrix.columns_, false);
     }
 
-    std::vector<Row> run() {
-        found_.reserve(matrix_.rows_.size()); // by_column_ points into it
-        const std::size_t packs = (matrix_.rows_.size() + lane_count - 1) / lane_count;
-        // With one thread a pack sees all that was found before it; with more, waves long enough to share
-        // out.
-        const std::size_t wave = run_.threads() == 1 ? 1 : 4 * std::size_t{run_.threads()};
-        for (std::size_t first = 0; first < packs; first += wave)
-            reduce_wave(first, std::min(first + wave, packs));
+    MacaulayMatrix::Echelon run() {
+        const std::size_t rows = matrix_.rows_.size();
+        found_.reserve(rows); // by_column_ points into it
+        std::size_t done = 0;
+        if (options_.combine) {
+            // A combination has more pivots to be reduced by than a row has, and those that vanish come on
+            // top: it takes few independent rows to pay, so a sample is taken first.
+            while (rows - done > sample) {
+                const std::size_t before = found_.size();
+                reduce_rows(done, done + sample);
+                done += sample;
+                if (4 * (found_.size() - before) > sample) continue;
+                const std::size_t end = std::min(done + block, rows);
+                combine_rows(done, end);
+                done = end;
+            }
+        }
+        reduce_rows(done, rows);
         std::ranges::sort(found_, {}, [](const Row& row) { return row.columns.front(); });
-        return reduced_tails();
+        return {reduced_tails(), failure_bound_};
     }
 
   private:
@@ -68,6 +80,13 @@ class Elimination {
         std::vector<Column> columns;
         std::vector<LaneEntry> entries;
     };
+
+    static constexpr std::size_t sample = 32; ///< rows reduced to see how many are independent
+    static constexpr std::size_t block = 512; ///< rows combined with one another
+
+    /// Packs that are reduced at the same time. With one thread a pack sees all that was found before it;
+    /// with more, waves are long enough to share out.
+    std::size_t wave_length() const { return run_.threads() == 1 ? 1 : 4 * std::size_t{run_.threads()}; }
 
     static LaneEntry same_in_all_lanes(const algebra::PrimeField& field) {
         LaneEntry entry;
@@ -102,27 +121,75 @@ class Elimination {
         for (std::size_t i = 0; i < row.size; ++i) dense[row.columns[i]].lane[lane] = row.coefficients[i];
     }
 
-    void reduce_wave(std::size_t first_pack, std::size_t end_pack) {
-        wave_.resize(end_pack - first_pack);
-        base::parallel_for(run_, wave_.size(), [&](std::size_t i, std::size_t thread) {
-            Worker& w = worker(thread);
-            std::size_t first_column = matrix_.columns_;
-            for (std::size_t lane = 0; lane < lane_count; ++lane) {
-                const std::size_t r = (first_pack + i) * lane_count + lane;
-                if (r == matrix_.rows_.size()) break;
-                const SparseRow<Element> row = matrix_.row(matrix_.rows_[r]);
-                first_column = std::min<std::size_t>(first_column, row.columns[0]);
-                scatter(row, lane, w.dense);
-            }
-            if (transcript_) wave_[i].used.assign(matrix_.columns_, 0);
-            reduce(w, first_column, wave_[i]);
+    void reduce_rows(std::size_t begin, std::size_t end) {
+        const std::size_t step = wave_length() * lane_count;
+        for (std::size_t first = begin; first < end; first += step)
+            reduce_wave(first, std::min(first + step, end));
+    }
+
+    void reduce_wave(std::size_t begin, std::size_t end) {
+        reduce_packs((end - begin + lane_count - 1) / lane_count, [&](std::size_t i, Worker& w) {
+            const std::size_t first = begin + i * lane_count;
+            const std::size_t size = std::min(lane_count, end - first);
+            for (std::size_t lane = 0; lane < size; ++lane)
+                scatter(matrix_.row(matrix_.rows_[first + lane]), lane, w.dense);
+            return first_column(first, first + size);
         });
         const std::size_t known = found_.size();
-        for (std::size_t i = 0; i < wave_.size(); ++i) {
-            Pack& pack = wave_[i];
-            if (found_.size() != known) reduce_again(pack);
-            add_found(pack, (first_pack + i) * lane_count);
+        for (std::size_t i = 0; i < wave_.size(); ++i) add_found(wave_[i], known, begin + i * lane_count);
+    }
+
+    /// Reduces random combinations of rows until at least `enough` of the eight in a pack vanish.
+    ///
+    /// If the rows have not all been found yet, their remainders by what was found span a space that is not
+    /// zero, and each combination vanishes with probability 1/p, independently. That `enough` of eight do,
+    /// by accident, has a probability of at most C(8, enough)·p^−enough; the bound is summed over all packs.
+    void combine_rows(std::size_t begin, std::size_t end) {
+        const double p = matrix_.field_.characteristic();
+        std::size_t enough = 1; // p^−enough below 2^−48; at most 3, as p is at least 2^16
+        while (std::pow(p, -static_cast<double>(enough)) > 0x1p-48) ++enough;
+        constexpr double choices = 70; // C(8, 4), the largest of them
+        bool vanish = false;
+        while (!vanish) {
+            std::vector<std::uint64_t> seeds(wave_length());
+            for (std::uint64_t& seed : seeds) seed = random_();
+            reduce_packs(seeds.size(), [&](std::size_t i, Worker& w) {
+                std::mt19937_64 random(seeds[i]);
+                for (std::size_t r = begin; r < end; ++r) {
+                    LaneEntry factor;
+                    for (std::uint32_t& x : factor.lane) x = matrix_.field_.reduce(random());
+                    kernels_.subtract_row(primes_, factor, matrix_.row(matrix_.rows_[r]), w.dense.data());
+                }
+                return first_column(begin, end);
+            });
+            const std::size_t known = found_.size();
+            for (Pack& pack : wave_) {
+                const std::size_t before = found_.size();
+                add_found(pack, known, begin);
+                vanish = vanish || before + lane_count >= found_.size() + enough;
+                failure_bound_ += choices * std::pow(p, -static_cast<double>(enough));
+            }
         }
+    }
+
+    std::size_t first_column(std::size_t begin_row, std::size_t end_row) const {
+        std::size_t first = matrix_.columns_;
+        for (std::size_t r = begin_row; r < end_row; ++r)
+            first = std::min<std::size_t>(first, matrix_.row(matrix_.rows_[r]).columns[0]);
+        return first;
+    }
+
+    /// Makes and reduces the packs of a wave. `fill(i, worker)` puts pack i in the worker's dense row and
+    /// returns its first column.
+    template <class Fill>
+    void reduce_packs(std::size_t count, Fill&& fill) {
+        wave_.resize(count);
+        base::parallel_for(run_, count, [&](std::size_t i, std::size_t thread) {
+            Worker& w = worker(thread);
+            const std::size_t first = fill(i, w);
+            if (transcript_) wave_[i].used.assign(matrix_.columns_, 0);
+            reduce(w, first, wave_[i]);
+        });
     }
 
     void reduce_again(Pack& pack) {
@@ -133,8 +200,10 @@ class Elimination {
         reduce(w, pack.columns.front(), pack);
     }
 
-    /// Gauss–Jordan elimination of the eight lanes; those that do not vanish become pivots.
-    void add_found(Pack& pack, std::size_t first_row) {
+    /// Gauss–Jordan elimination of the eight lanes; those that do not vanish become pivots. `known` of the
+    /// pivots found were there when the pack was reduced, and `first_row` is the row in its first lane.
+    void add_found(Pack& pack, std::size_t known, std::size_t first_row) {
+        if (found_.size() != known) reduce_again(pack);
         const algebra::PrimeField& field = matrix_.field_;
         const std::size_t size = pack.entries.size();
         std::array<std::size_t, lane_count> leads{};
@@ -217,6 +286,7 @@ class Elimination {
     }
 
     const MacaulayMatrix& matrix_;
+    const MacaulayMatrix::EchelonOptions& options_;
     base::Run& run_;
     MacaulayMatrix::Transcript* transcript_;
     const LaneKernels& kernels_;
@@ -225,11 +295,12 @@ class Elimination {
     std::vector<Worker> workers_;
     std::vector<Pack> wave_;
     std::vector<Row> found_;
+    std::mt19937_64 random_;
+    double failure_bound_ = 0;
 };
 
-std::vector<MacaulayMatrix::Row> MacaulayMatrix::echelon(base::Run& run, Transcript* transcript,
-                                                         base::VectorUnit unit) const {
-    return Elimination(*this, run, transcript, unit).run();
+MacaulayMatrix::Echelon MacaulayMatrix::echelon(const EchelonOptions& options, base::Run& run) const {
+    return Elimination(*this, options, run).run();
 }
 
 } // namespace eliminant::groebner

@@ -36,6 +36,7 @@ class MacaulayMatrix {
 
     std::size_t row_count() const { return pivots_.size() + rows_.size(); }
     std::size_t column_count() const { return columns_; }
+    std::size_t entry_count() const { return pool_.size(); }
 
     struct Row {
         std::vector<Column> columns;
@@ -47,12 +48,26 @@ class MacaulayMatrix {
         std::vector<std::size_t> rows; ///< numbers of the rows that did not reduce to zero, as they came
         std::vector<Column> leads;     ///< the leading columns of what they became
     };
+    struct Echelon {
+        std::vector<Row> rows;
+        double failure_bound = 0; ///< probability that a row is missing is at most this
+    };
+    struct EchelonOptions {
+        /// Where to write what was used; null for nowhere. Excludes `combine`.
+        Transcript* transcript = nullptr;
+        /// Reduce random combinations of rows instead of the rows wherever that seems to be less work, until
+        /// some vanish. The field must be large enough (can_combine).
+        bool combine = false;
+        std::uint64_t seed = 0; ///< of the random combinations
+        base::VectorUnit unit = base::best_vector_unit();
+    };
     /// A basis of what the rows add to the span of the pivots: monic, ascending by leading column, no entry
     /// in a pivot column, neither of the given pivots nor of each other. It is unique, so it depends neither
-    /// on the kernels nor on the threads. O(Σ length of the pivots used). Polls the run. Fills in
-    /// `transcript` unless it is null.
-    std::vector<Row> echelon(base::Run& run, Transcript* transcript = nullptr,
-                             base::VectorUnit unit = base::best_vector_unit()) const;
+    /// on the kernels nor on the threads. O(Σ length of the pivots used). Polls the run.
+    Echelon echelon(const EchelonOptions& options, base::Run& run) const;
+
+    /// Whether the field has enough elements for random combinations to prove something.
+    static bool can_combine(const algebra::PrimeField& field) { return field.characteristic() >= 1U << 16U; }
 
   private:
     friend class Elimination;

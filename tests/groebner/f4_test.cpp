@@ -82,7 +82,7 @@ TEST(MacaulayMatrix, AgreesWithSchoolbookElimination) {
             };
             for (const auto& row : dense_pivots) add(row, true);
             for (const auto& row : dense_rows) add(row, false);
-            const auto found = matrix.echelon(run);
+            const auto found = matrix.echelon({}, run).rows;
 
             // Together with the pivots, the rows found span what all rows span, and they avoid the pivot
             // columns.
