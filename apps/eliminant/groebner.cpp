@@ -20,6 +20,14 @@ Json largest_matrix(const groebner::Statistics& statistics) {
     return Json::array({statistics.largest_matrix_rows, statistics.largest_matrix_columns});
 }
 
+/// Share of its entries that are not 0.
+Json largest_matrix_density(const groebner::Statistics& statistics) {
+    if (statistics.matrices == 0) return nullptr;
+    return static_cast<double>(statistics.largest_matrix_entries) /
+           (static_cast<double>(statistics.largest_matrix_rows) *
+            static_cast<double>(statistics.largest_matrix_columns));
+}
+
 Json statistics_fields(const groebner::Statistics& statistics, double seconds) {
     return {{"pairs_treated", statistics.pairs_treated},
             {"skipped_by_product", statistics.skipped_by_product},
@@ -27,7 +35,9 @@ Json statistics_fields(const groebner::Statistics& statistics, double seconds) {
             {"skipped_by_chain_f", statistics.skipped_by_chain_f},
             {"skipped_by_chain_b", statistics.skipped_by_chain_b},
             {"zero_reductions", statistics.zero_reductions},
+            {"matrices", statistics.matrices},
             {"largest_matrix", largest_matrix(statistics)},
+            {"largest_matrix_density", largest_matrix_density(statistics)},
             {"primes_used", 0}, // the prime of Buchberger's first pass over QQ leaves no trace in the result
             {"seconds", seconds},
             {"peak_memory", peak_memory()}};
@@ -97,14 +107,16 @@ class GroebnerCommand : public Command {
         Json result = ring_fields(ring);
         result["basis"] = strings(basis.elements);
         result["algorithm"] = uses_f4(ring) ? "f4" : "buchberger";
-        result["assurance"] = "proved";
+        const bool proved = basis.proof == groebner::Proof::full;
+        result["assurance"] = proved ? "proved" : "probable";
+        if (!proved) result["failure_bound"] = basis.failure_bound;
         result["statistics"] = statistics_fields(basis.statistics, seconds);
         return to_text(result);
     }
 
     SystemOptions system_;
     Algorithm algorithm_ = Algorithm::automatic;
-    Assurance assurance_ = Assurance::proved; // both algorithms prove in any case
+    Assurance assurance_ = Assurance::proved;
 };
 
 } // namespace

@@ -63,11 +63,17 @@ std::string ideal_in(ResultFormat format, const Ideal& I, Run& run) {
 
 std::string statistics_line(const groebner::Statistics& statistics, double seconds) {
     const auto count = [](std::uint64_t number) { return std::to_string(number); };
+    std::string matrices;
+    if (statistics.matrices != 0) {
+        matrices = "; matrices: " + count(statistics.matrices) + ", the largest " +
+                   count(statistics.largest_matrix_rows) + " x " + count(statistics.largest_matrix_columns) +
+                   " with " + count(statistics.largest_matrix_entries) + " entries";
+    }
     return "pairs treated: " + count(statistics.pairs_treated) +
            "; skipped by the product criterion: " + count(statistics.skipped_by_product) +
            ", by chain criterion M: " + count(statistics.skipped_by_chain_m) +
            ", F: " + count(statistics.skipped_by_chain_f) + ", B: " + count(statistics.skipped_by_chain_b) +
-           "; zero reductions: " + count(statistics.zero_reductions) +
+           "; zero reductions: " + count(statistics.zero_reductions) + matrices +
            "; seconds: " + std::to_string(seconds) + "; peak memory: " + count(peak_memory() >> 20) + " MiB";
 }
 

@@ -111,9 +111,9 @@ class Computation {
         generators_.push_back(std::move(element));
     }
 
+    virtual std::string_view name() const { return "Buchberger"; }
     base::Progress progress() const {
-        return {"Buchberger", result_.statistics.pairs_treated,
-                result_.statistics.pairs_treated + queue_.size(),
+        return {name(), result_.statistics.pairs_treated, result_.statistics.pairs_treated + queue_.size(),
                 "degree " + std::to_string(queue_.best().degree) + ", " + std::to_string(basis_.size()) +
                     " elements"};
     }

@@ -120,7 +120,7 @@ class StoreBatchReducer final : public BatchReducer {
             const Index index = monomials_[i];
             const std::uint32_t k = store_.reducer_of(index);
             if (k == Store::none) continue;
-            if (i % 256 == 0) run_.poll();
+            if (pivots_.size() % 64 == 0) run_.poll();
             pivots_.push_back({index, k});
             see(store_.row(index, k));
         }

@@ -53,6 +53,7 @@ void F4Computation::treat_batch(const std::vector<CriticalPair>& pairs) {
     // Descending: where one leading monomial divides another, the larger one comes first and is then
     // superseded, as the criteria expect.
     for (TermList<Element>& terms : batch.found) {
+        run_.poll();
         if (!stopped_) insert(widened(std::move(terms), *layout_), sugar);
     }
 }

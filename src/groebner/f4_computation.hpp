@@ -18,6 +18,7 @@ class F4Computation final : public Computation<algebra::PrimeDomain> {
                   const BuchbergerOptions& options, base::Run& run, std::vector<F4Round>* rounds);
 
   private:
+    std::string_view name() const override { return "F4"; }
     void step() override;
     void layout_changed() override;
     void reduce_tails(std::span<const std::size_t> minimal) override;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <string>
 #include <utility>
 
 namespace eliminant::groebner {
@@ -88,6 +89,13 @@ class Elimination {
     /// with more, waves are long enough to share out.
     std::size_t wave_length() const { return run_.threads() == 1 ? 1 : 4 * std::size_t{run_.threads()}; }
 
+    base::Progress progress(std::size_t rows_done) const {
+        return {"F4 elimination", rows_done, matrix_.rows_.size(),
+                "matrix of " + std::to_string(matrix_.row_count()) + " rows and " +
+                    std::to_string(matrix_.columns_) + " columns, " + std::to_string(found_.size()) +
+                    " new rows"};
+    }
+
     static LaneEntry same_in_all_lanes(const algebra::PrimeField& field) {
         LaneEntry entry;
         std::ranges::fill(entry.lane, field.characteristic());
@@ -135,6 +143,7 @@ class Elimination {
                 scatter(matrix_.row(matrix_.rows_[first + lane]), lane, w.dense);
             return first_column(first, first + size);
         });
+        run_.report([&] { return progress(end); });
         const std::size_t known = found_.size();
         for (std::size_t i = 0; i < wave_.size(); ++i) add_found(wave_[i], known, begin + i * lane_count);
     }
@@ -156,12 +165,14 @@ class Elimination {
             reduce_packs(seeds.size(), [&](std::size_t i, Worker& w) {
                 std::mt19937_64 random(seeds[i]);
                 for (std::size_t r = begin; r < end; ++r) {
+                    if (r % 16 == 0) run_.poll();
                     LaneEntry factor;
                     for (std::uint32_t& x : factor.lane) x = matrix_.field_.reduce(random());
                     kernels_.subtract_row(primes_, factor, matrix_.row(matrix_.rows_[r]), w.dense.data());
                 }
                 return first_column(begin, end);
             });
+            run_.report([&] { return progress(end); });
             const std::size_t known = found_.size();
             for (Pack& pack : wave_) {
                 const std::size_t before = found_.size();

@@ -42,67 +42,185 @@ Dense schoolbook_echelon(const algebra::PrimeField& field, Dense rows) {
     return rows;
 }
 
-TEST(MacaulayMatrix, AgreesWithSchoolbookElimination) {
-    eliminant::testing::Random random(3);
-    base::Run run;
-    for (const std::uint64_t p : {2U, 3U, 32003U, 2147483647U}) {
-        const algebra::PrimeField field(p);
-        for (int round = 0; round < 30; ++round) {
-            const std::size_t columns = 1 + random() % 20;
-            const std::size_t pivots = random() % (columns + 1);
-            const std::size_t rows = random() % 12;
-            const auto random_row = [&](std::size_t lead, bool monic) {
-                std::vector<std::uint32_t> row(columns, 0);
-                for (std::size_t c = lead; c < columns; ++c)
-                    row[c] = random() % 3 == 0 ? static_cast<std::uint32_t>(random() % p) : 0;
-                if (monic) row[lead] = 1;
-                return row;
-            };
-            Dense dense_pivots;
-            Dense dense_rows;
-            std::vector<std::size_t> leads(columns);
-            for (std::size_t c = 0; c < columns; ++c) leads[c] = c;
-            std::ranges::shuffle(leads, random);
-            for (std::size_t i = 0; i < pivots; ++i) dense_pivots.push_back(random_row(leads[i], true));
-            for (std::size_t i = 0; i < rows; ++i) dense_rows.push_back(random_row(random() % columns, true));
+/// Pivots, rows, and the matrix of both.
+struct RandomMatrix {
+    algebra::PrimeField field;
+    std::size_t columns;
+    std::vector<bool> is_pivot; ///< per column
+    Dense pivots;
+    Dense rows;
+    std::vector<std::vector<std::uint32_t>> storage; ///< coefficients that the matrix refers to
+    groebner::MacaulayMatrix matrix;
 
-            groebner::MacaulayMatrix matrix(field, columns);
-            std::vector<std::vector<std::uint32_t>> storage;
-            storage.reserve(pivots + rows);
-            const auto add = [&](const std::vector<std::uint32_t>& row, bool pivot) {
-                std::vector<std::uint32_t> at;
-                auto& coefficients = storage.emplace_back();
-                for (std::uint32_t c = 0; c < columns; ++c) {
-                    if (row[c] == 0) continue;
-                    at.push_back(c);
-                    coefficients.push_back(row[c]);
-                }
-                std::ranges::copy(
-                    at, (pivot ? matrix.add_pivot(coefficients) : matrix.add_row(coefficients)).begin());
-            };
-            for (const auto& row : dense_pivots) add(row, true);
-            for (const auto& row : dense_rows) add(row, false);
-            const auto found = matrix.echelon({}, run).rows;
-
-            // Together with the pivots, the rows found span what all rows span, and they avoid the pivot
-            // columns.
-            Dense all = dense_pivots;
-            all.insert(all.end(), dense_rows.begin(), dense_rows.end());
-            Dense reduced = dense_pivots;
-            for (const auto& row : found) {
-                std::vector<std::uint32_t> dense(columns, 0);
-                for (std::size_t i = 0; i < row.columns.size(); ++i) {
-                    dense[row.columns[i]] = row.coefficients[i];
-                    EXPECT_FALSE(std::find(leads.begin(), leads.begin() + static_cast<std::ptrdiff_t>(pivots),
-                                           row.columns[i]) !=
-                                 leads.begin() + static_cast<std::ptrdiff_t>(pivots));
-                }
-                EXPECT_EQ(row.coefficients.front(), 1U);
-                reduced.push_back(dense);
+    RandomMatrix(std::uint64_t p, std::size_t column_count, std::size_t pivot_count, std::size_t row_count,
+                 std::size_t rank, std::uint64_t sparsity, eliminant::testing::Random& random)
+        : field(p), columns(column_count), is_pivot(column_count, false), matrix(field, column_count) {
+        std::vector<std::size_t> leads(columns);
+        for (std::size_t c = 0; c < columns; ++c) leads[c] = c;
+        std::ranges::shuffle(leads, random);
+        storage.reserve(pivot_count + row_count);
+        const auto random_row = [&](std::size_t lead) {
+            std::vector<std::uint32_t> row(columns, 0);
+            for (std::size_t c = lead; c < columns; ++c)
+                row[c] = random() % sparsity == 0 ? static_cast<std::uint32_t>(random() % p) : 0;
+            row[lead] = 1;
+            return row;
+        };
+        for (std::size_t i = 0; i < pivot_count; ++i) {
+            is_pivot[leads[i]] = true;
+            pivots.push_back(random_row(leads[i]));
+            add(pivots.back(), true);
+        }
+        for (std::size_t i = 0; i < row_count; ++i) {
+            std::vector<std::uint32_t> row = random_row(random() % columns);
+            if (i >= rank) { // the sum of two earlier rows
+                const auto& a = rows[random() % i];
+                const auto& b = rows[random() % i];
+                for (std::size_t c = 0; c < columns; ++c) row[c] = field.add(a[c], b[c]);
+                if (std::ranges::all_of(row, [](auto x) { return x == 0; })) row = a;
             }
-            EXPECT_EQ(schoolbook_echelon(field, reduced), schoolbook_echelon(field, all)) << "p = " << p;
-            EXPECT_EQ(schoolbook_echelon(field, all).size(), pivots + found.size())
-                << "rows found are independent";
+            rows.push_back(std::move(row));
+            add(rows.back(), false);
+        }
+    }
+    RandomMatrix(const RandomMatrix&) = delete;
+    RandomMatrix& operator=(const RandomMatrix&) = delete;
+
+    void add(const std::vector<std::uint32_t>& row, bool pivot) {
+        std::vector<std::uint32_t> at;
+        auto& coefficients = storage.emplace_back();
+        for (std::uint32_t c = 0; c < columns; ++c) {
+            if (row[c] == 0) continue;
+            at.push_back(c);
+            coefficients.push_back(row[c]);
+        }
+        std::ranges::copy(at,
+                          (pivot ? matrix.add_pivot(coefficients) : matrix.add_row(coefficients)).begin());
+    }
+};
+
+/// The reduced echelon form is right: with the pivots, the rows found span what all rows span, they avoid
+/// the pivot columns, and they are reduced by one another.
+void check_echelon(const RandomMatrix& random_matrix, const groebner::MacaulayMatrix::Echelon& echelon) {
+    Dense all = random_matrix.pivots;
+    all.insert(all.end(), random_matrix.rows.begin(), random_matrix.rows.end());
+    Dense reduced = random_matrix.pivots;
+    Dense found;
+    for (const auto& row : echelon.rows) {
+        std::vector<std::uint32_t> dense(random_matrix.columns, 0);
+        for (std::size_t i = 0; i < row.columns.size(); ++i) {
+            dense[row.columns[i]] = row.coefficients[i];
+            EXPECT_FALSE(random_matrix.is_pivot[row.columns[i]]);
+        }
+        reduced.push_back(dense);
+        found.push_back(dense);
+    }
+    EXPECT_EQ(schoolbook_echelon(random_matrix.field, found), found);
+    EXPECT_EQ(schoolbook_echelon(random_matrix.field, reduced), schoolbook_echelon(random_matrix.field, all));
+    EXPECT_EQ(reduced.size(), schoolbook_echelon(random_matrix.field, all).size());
+}
+
+bool same_rows(const groebner::MacaulayMatrix::Echelon& a, const groebner::MacaulayMatrix::Echelon& b) {
+    return std::ranges::equal(a.rows, b.rows, [](const auto& x, const auto& y) {
+        return x.columns == y.columns && x.coefficients == y.coefficients;
+    });
+}
+
+TEST(MacaulayMatrix, AgreesWithSchoolbookEliminationWithAllKernels) {
+    constexpr int seed = 3;
+    eliminant::testing::Random random(seed);
+    base::Run run;
+    for (const std::uint64_t p : {2U, 3U, 7U, 32003U, 65521U, 1073741827U, 2147483647U}) {
+        for (int round = 0; round < 20; ++round) {
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", p = " + std::to_string(p) + ", round " +
+                         std::to_string(round));
+            const std::size_t columns = 1 + random() % 40;
+            const std::size_t rows = random() % 30;
+            const RandomMatrix matrix(p, columns, random() % (columns + 1), rows, rows, 1 + random() % 4,
+                                      random);
+            for (const base::VectorUnit unit : base::available_vector_units()) {
+                SCOPED_TRACE(base::name(unit));
+                groebner::MacaulayMatrix::EchelonOptions options;
+                options.unit = unit;
+                check_echelon(matrix, matrix.matrix.echelon(options, run));
+            }
+        }
+    }
+}
+
+TEST(MacaulayMatrix, ThreadsAndRandomCombinationsGiveTheSame) {
+    constexpr int seed = 4;
+    eliminant::testing::Random random(seed);
+    base::Run run;
+    RunOptions three;
+    three.threads = 3;
+    base::Run three_threads(three);
+    for (const std::uint64_t p : {65537U, 2147483647U}) {
+        ASSERT_TRUE(groebner::MacaulayMatrix::can_combine(algebra::PrimeField(p)));
+        // Many rows of low rank, and many of full rank.
+        for (const std::size_t rank : {5U, 60U, 700U}) {
+            SCOPED_TRACE("p = " + std::to_string(p) + ", rank " + std::to_string(rank));
+            const RandomMatrix matrix(p, 90, 20, 700, rank, 8, random);
+            const auto expected = matrix.matrix.echelon({}, run);
+            check_echelon(matrix, expected);
+            EXPECT_EQ(expected.failure_bound, 0);
+            EXPECT_TRUE(same_rows(expected, matrix.matrix.echelon({}, three_threads)));
+            groebner::MacaulayMatrix::EchelonOptions options;
+            options.combine = true;
+            for (options.seed = 0; options.seed < 3; ++options.seed) {
+                for (base::Run* r : {&run, &three_threads}) {
+                    const auto combined = matrix.matrix.echelon(options, *r);
+                    EXPECT_TRUE(same_rows(expected, combined));
+                    EXPECT_GT(combined.failure_bound, 0);
+                    EXPECT_LT(combined.failure_bound, 1e-9);
+                }
+            }
+        }
+    }
+    EXPECT_FALSE(groebner::MacaulayMatrix::can_combine(algebra::PrimeField(65521)));
+}
+
+TEST(MacaulayMatrix, TranscriptIsEnoughToFindTheSame) {
+    constexpr int seed = 5;
+    eliminant::testing::Random random(seed);
+    base::Run run;
+    for (int round = 0; round < 20; ++round) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round));
+        RandomMatrix whole(2147483647, 60, 30, 40, 12, 5, random);
+        groebner::MacaulayMatrix::Transcript transcript;
+        groebner::MacaulayMatrix::EchelonOptions options;
+        options.transcript = &transcript;
+        const auto expected = whole.matrix.echelon(options, run);
+        EXPECT_EQ(transcript.rows.size(), expected.rows.size());
+        EXPECT_EQ(transcript.leads.size(), expected.rows.size());
+        whole.matrix = groebner::MacaulayMatrix(whole.field, whole.columns);
+        whole.storage.clear();
+        for (const auto& pivot : whole.pivots) {
+            const auto lead = std::ranges::find(pivot, 1U) - pivot.begin();
+            if (transcript.pivots[static_cast<std::size_t>(lead)]) whole.add(pivot, true);
+        }
+        for (const std::size_t r : transcript.rows) whole.add(whole.rows[r], false);
+        EXPECT_TRUE(same_rows(expected, whole.matrix.echelon({}, run)));
+    }
+}
+
+TEST(MacaulayMatrix, EliminationCanBeStopped) {
+    eliminant::testing::Random random(6);
+    // Dense: its elimination takes far longer than the test does.
+    const RandomMatrix matrix(2147483647, 4000, 2000, 1500, 1500, 2, random);
+    for (const bool combine : {false, true}) {
+        for (const unsigned threads : {1U, 2U}) {
+            RunOptions run_options;
+            run_options.threads = threads;
+            base::Run run(run_options);
+            std::thread stopper([&run] {
+                std::this_thread::sleep_for(std::chrono::milliseconds(30));
+                run.request_stop();
+            });
+            groebner::MacaulayMatrix::EchelonOptions options;
+            options.combine = combine;
+            EXPECT_THROW(static_cast<void>(matrix.matrix.echelon(options, run)), Stopped);
+            stopper.join();
         }
     }
 }
@@ -176,6 +294,34 @@ TEST(Buchberger, BasesOverTheRationalsHaveTheRightImages) {
         for (const Polynomial& f : basis.elements) images.push_back(f.in_ring(modular.ring).monic());
         EXPECT_EQ(images, f4(modular.ring, modular.polynomials, {}, run).elements) << known.name;
     }
+}
+
+TEST(F4, ThreadsAndProbabilisticLinearAlgebraGiveTheSame) {
+    base::Run run;
+    RunOptions two;
+    two.threads = 2;
+    base::Run two_threads(two);
+    BuchbergerOptions exact;
+    exact.selection = groebner::Selection::normal;
+    BuchbergerOptions probabilistic = exact;
+    probabilistic.linear_algebra = groebner::LinearAlgebra::probabilistic;
+    for (const char* name : {"katsura7", "eco9", "cyclic6", "chandra8"}) {
+        const System system = classical_system(name, CoefficientField::prime(1073741827), run);
+        const GroebnerBasis expected = f4(system.ring, system.polynomials, exact, run);
+        EXPECT_EQ(expected.proof, groebner::Proof::full);
+        EXPECT_EQ(expected.failure_bound, 0);
+        EXPECT_EQ(f4(system.ring, system.polynomials, exact, two_threads).elements, expected.elements);
+        for (base::Run* r : {&run, &two_threads}) {
+            const GroebnerBasis found = f4(system.ring, system.polynomials, probabilistic, *r);
+            EXPECT_EQ(found.elements, expected.elements) << name;
+            EXPECT_EQ(found.proof, groebner::Proof::bounded) << name;
+            EXPECT_GT(found.failure_bound, 0);
+            EXPECT_LT(found.failure_bound, 1e-10);
+        }
+    }
+    // Small fields are done exactly, and say so.
+    const System small = classical_system("eco9", CoefficientField::prime(101), run);
+    EXPECT_EQ(f4(small.ring, small.polynomials, probabilistic, run).proof, groebner::Proof::full);
 }
 
 TEST(F4, WidensItsMonomialsWhenTheyOutgrowThem) {
