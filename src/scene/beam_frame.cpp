@@ -26,8 +26,6 @@ mpq_class centered(std::size_t pixel, double middle, double half) {
     return (mpq_class(static_cast<unsigned long>(pixel)) - mpq_class(middle)) / mpq_class(half);
 }
 
-constexpr double slack = 0x1p-48;
-
 } // namespace
 
 std::optional<BeamFrame> BeamFrame::make(const RayGrid& rays, const Ball& ball) {
@@ -42,17 +40,18 @@ std::optional<BeamFrame> BeamFrame::make(const RayGrid& rays, const Ball& ball) 
     frame.middle_row_ = 0.5 * static_cast<double>(height - 1);
     frame.half_width_ = half_extent(width);
     frame.half_height_ = half_extent(height);
-    frame.along_u_ = frame.half_width_ * (pencil ? rays.direction_dx : rays.origin_dx);
-    frame.along_v_ = frame.half_height_ * (pencil ? rays.direction_dy : rays.origin_dy);
-    frame.center_ = rays.ray(frame.middle_column_, frame.middle_row_).direction;
-    const glm::dvec3 normal = glm::cross(frame.along_u_, frame.along_v_);
-    const double determinant = glm::dot(frame.center_, normal);
-    if (!(std::abs(determinant) >
-          1e-12 * glm::length(frame.center_) * glm::length(frame.along_u_) * glm::length(frame.along_v_)))
+    const glm::dvec3 along_u = frame.half_width_ * (pencil ? rays.direction_dx : rays.origin_dx);
+    const glm::dvec3 along_v = frame.half_height_ * (pencil ? rays.direction_dy : rays.origin_dy);
+    const glm::dvec3 center = rays.ray(frame.middle_column_, frame.middle_row_).direction;
+    const double determinant = glm::dot(center, glm::cross(along_u, along_v));
+    if (!(std::abs(determinant) > 1e-12 * glm::length(center) * glm::length(along_u) * glm::length(along_v)))
         return std::nullopt;
-    frame.orientation_ = determinant > 0.0 ? 1.0 : -1.0;
+    const double orientation = determinant > 0.0 ? 1.0 : -1.0;
+    frame.u_cross_v_ = orientation * glm::cross(along_u, along_v);
+    frame.v_cross_center_ = orientation * glm::cross(along_v, center);
+    frame.center_cross_u_ = orientation * glm::cross(center, along_u);
 
-    const std::optional<Interval> range = frame.depth_range(rays, ball);
+    const std::optional<Interval> range = frame.depth_range(rays, ball, center);
     if (!range) return std::nullopt;
     const double first = pencil ? -1.0 / range->lower : range->lower;
     const double last = pencil ? -1.0 / range->upper : range->upper;
@@ -66,7 +65,8 @@ std::optional<BeamFrame> BeamFrame::make(const RayGrid& rays, const Ball& ball) 
 }
 
 /// Where the rays can be in the ball, at t > 0.
-std::optional<Interval> BeamFrame::depth_range(const RayGrid& rays, const Ball& ball) const {
+std::optional<Interval> BeamFrame::depth_range(const RayGrid& rays, const Ball& ball,
+                                               glm::dvec3 center) const {
     const std::array<Ray, 4> corners{
         rays.ray(0.0, 0.0), rays.ray(static_cast<double>(rays.width - 1), 0.0),
         rays.ray(0.0, static_cast<double>(rays.height - 1)),
@@ -74,7 +74,7 @@ std::optional<Interval> BeamFrame::depth_range(const RayGrid& rays, const Ball& 
     if (!is_pencil_) {
         // The parameter of the point next to the center is affine in the pixel: extreme at corners.
         Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-        const double squared = glm::dot(center_, center_);
+        const double squared = glm::dot(center, center);
         const double reach = ball.radius / std::sqrt(squared);
         for (const Ray& ray : corners) {
             const double nearest = glm::dot(ball.center - ray.origin, ray.direction) / squared;
@@ -90,8 +90,8 @@ std::optional<Interval> BeamFrame::depth_range(const RayGrid& rays, const Ball& 
     for (const Ray& ray : corners) longest = std::max(longest, glm::length(ray.direction));
     const glm::dvec3 to_center = ball.center - rays.origin;
     const double distance = glm::length(to_center);
-    const glm::dvec3 normal = orientation_ * glm::normalize(glm::cross(along_u_, along_v_));
-    const double height = glm::dot(center_, normal); // least length of a direction
+    const glm::dvec3 normal = glm::normalize(u_cross_v_);
+    const double height = glm::dot(center, normal); // least length of a direction
     const double center_height = glm::dot(to_center, normal);
     const Interval range{std::max((distance - ball.radius) / longest, (center_height - ball.radius) / height),
                          std::min((distance + ball.radius) / height, (center_height + ball.radius) / height)};
@@ -129,25 +129,5 @@ mpq_class BeamFrame::exact_u(std::size_t column) const {
     return centered(column, middle_column_, half_width_);
 }
 mpq_class BeamFrame::exact_v(std::size_t row) const { return centered(row, middle_row_, half_height_); }
-
-Interval BeamFrame::w_from_t(Interval t) const {
-    const auto raw = [this](double x) { return is_pencil_ ? -1.0 / x : x; };
-    const double lower = raw(t.lower);
-    const double upper = raw(t.upper);
-    const double scale = slack * (std::abs(middle_w_) + radius_w_) / radius_w_;
-    return {std::max((lower - middle_w_) / radius_w_ - scale, -1.0),
-            std::min((upper - middle_w_) / radius_w_ + scale, 1.0)};
-}
-
-glm::dvec3 BeamFrame::gradient(double u, double v, double t, glm::dvec3 by_uvw) const {
-    // With p(u, v, t): ∇f·∂p/∂u = f_u and so on; the dual basis solves for ∇f. For a pencil p = o + t·d(u, v)
-    // and f = t^n g(u, v, −1/t), so f_u = t^n g_u, f_t = t^(n−2) g_w.
-    const double by_t = by_uvw.z / radius_w_;
-    const double factor = is_pencil_ ? t : 1.0;
-    const glm::dvec3 direction = is_pencil_ ? center_ + u * along_u_ + v * along_v_ : center_;
-    return orientation_ *
-           (by_t * glm::cross(along_u_, along_v_) + factor * (by_uvw.x * glm::cross(along_v_, direction) +
-                                                              by_uvw.y * glm::cross(direction, along_u_)));
-}
 
 } // namespace eliminant::scene

@@ -33,8 +33,9 @@ class BeamFrame {
     double half_width() const { return half_width_; } ///< pixels in a unit of u, a power of two
     double half_height() const { return half_height_; }
 
-    /// An interval of t as one of w, rounded outward and cut to [−1, 1].
-    Interval w_from_t(Interval t) const;
+    bool is_pencil() const { return is_pencil_; }
+    double middle_w() const { return middle_w_; } ///< w = 0 is −1/t, or t, there
+    double radius_w() const { return radius_w_; }
     double t_from_w(double w) const {
         const double raw = middle_w_ + radius_w_ * w;
         return is_pencil_ ? -1.0 / raw : raw;
@@ -43,12 +44,21 @@ class BeamFrame {
     /// The gradient in space, up to a positive factor, from the partial derivatives by u, v and w at a point
     /// of the surface f = 0: on it the derivatives of the homogenised polynomial are those of f, up to powers
     /// of t.
-    glm::dvec3 gradient(double u, double v, double t, glm::dvec3 by_uvw) const;
+    ///
+    /// With p(u, v, t) for the point, ∇f·p_u = f_u and so on, and the dual basis of p_u, p_v, p_t solves for
+    /// ∇f. For a pencil p = o + t·d(u, v) and f = t^n g(u, v, −1/t), so f_u = t^n g_u and f_t = t^(n−2) g_w.
+    glm::dvec3 gradient(double u, double v, double t, double by_u, double by_v, double by_w) const {
+        const double f_t = by_w / radius_w_;
+        if (!is_pencil_) return f_t * u_cross_v_ + by_u * v_cross_center_ + by_v * center_cross_u_;
+        const double f_u = t * by_u;
+        const double f_v = t * by_v;
+        return (f_t - u * f_u - v * f_v) * u_cross_v_ + f_u * v_cross_center_ + f_v * center_cross_u_;
+    }
 
   private:
     BeamFrame() = default;
     void make_forms(const RayGrid& rays);
-    std::optional<Interval> depth_range(const RayGrid& rays, const Ball& ball) const;
+    std::optional<Interval> depth_range(const RayGrid& rays, const Ball& ball, glm::dvec3 center) const;
 
     field::BeamForms forms_;
     double middle_column_ = 0.0; ///< a multiple of 1/2
@@ -58,11 +68,11 @@ class BeamFrame {
     bool is_pencil_ = true;
     double middle_w_ = 0.0;
     double radius_w_ = 1.0;
-    // What moves with u and v: origins of parallel rays, directions of a pencil.
-    glm::dvec3 center_{0.0}; ///< direction of the ray u = v = 0
-    glm::dvec3 along_u_{0.0};
-    glm::dvec3 along_v_{0.0};
-    double orientation_ = 1.0; ///< sign of det(direction, along_u, along_v)
+    // Cross products of the middle ray's direction and of what moves with u and v (origins of parallel rays,
+    // directions of a pencil), oriented so that their determinant is positive.
+    glm::dvec3 u_cross_v_{0.0};
+    glm::dvec3 v_cross_center_{0.0};
+    glm::dvec3 center_cross_u_{0.0};
 };
 
 } // namespace eliminant::scene

@@ -1,6 +1,7 @@
 #include "scene/grid_tracer.hpp"
 
 #include "scene/beam_frame.hpp"
+#include "scene/clip_rows.hpp"
 #include "scene/finite.hpp"
 
 #include "base/vector_unit.hpp"
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -60,18 +63,20 @@ class RayByRayTracer final : public GridTracer {
     ClipRegion clip_;
 };
 
-/// A block of pixels that one box of rays holds; blocks lie at multiples of its size, whatever tile is asked
-/// for, so that answers do not depend on tiles.
-constexpr std::size_t block_size = 32;
+/// Blocks lie at multiples of their size, whatever tile is asked for, so that answers do not depend on tiles.
+constexpr std::size_t block_size = BeamFrame::block_size;
 using BlockRow = std::array<double, block_size>;
 
-/// The state of one row of a block on its way through the slabs.
+/// Where a ray stands between two slabs.
+enum class Progress : std::uint8_t { done, walking, undecided };
+
+/// One row of a block on its way through the slabs.
 struct Row {
-    BlockRow lower{}; ///< of w, in the frame; lower > upper where there is nothing to do
-    BlockRow upper{};
-    std::array<Hit, block_size> hits{};
-    std::array<bool, block_size> undecided{};
-    bool pending = false;
+    BlockRow lower; ///< of w, in the frame; lower > upper where the ray misses the region
+    BlockRow upper;
+    std::array<Progress, block_size> progress;
+    Hit* hits = nullptr; ///< of the block's columns
+    bool walking = false;
 };
 
 class BeamTracer final : public GridTracer {
@@ -80,7 +85,9 @@ class BeamTracer final : public GridTracer {
                ClipRegion clip, BeamFrame frame, base::Run& run)
         : compiled_(compiled), rays_(rays), clip_(std::move(clip)), frame_(std::move(frame)),
           exact_(f, frame_.forms(), run), wide_(exact_), degree_(exact_.layout().degree()),
-          solve_row_(field::beam_row_solver(base::best_vector_unit())) {}
+          bernstein_(field::bernstein_matrix(degree_)),
+          solve_row_(field::beam_row_solver(base::best_vector_unit())),
+          clip_row_(row_clipper(base::best_vector_unit())) {}
 
     void trace(const Tile& tile, std::span<Hit> hits, base::Run& run) const override {
         require_tile(rays_, tile, hits.size());
@@ -99,33 +106,48 @@ class BeamTracer final : public GridTracer {
     using Rows = std::array<Row, block_size>;
 
     void trace_block(const Tile& block, const Tile& tile, std::span<Hit> hits, base::Run& run) const {
-        Rows rows;
-        const Interval range = clip(block, rows);
-        if (!range.empty()) {
-            const double width = static_cast<double>(block_size);
-            // Spans of the block between the middles of its outer pixels, and a bit more: exact powers of
-            // two.
-            const field::Span in_u{frame_.u(static_cast<double>(block.column) + 0.5 * (width - 1.0)),
-                                   0.5 * width / frame_.half_width()};
-            const field::Span in_v{frame_.v(static_cast<double>(block.row) + 0.5 * (width - 1.0)),
-                                   0.5 * width / frame_.half_height()};
-            const field::WideBeam part = wide_.part(in_u, in_v);
-            for (const field::Span& slab : slabs(range)) trace_slab(part, block, in_u, in_v, slab, rows);
-            for (std::size_t r = 0; r < block.height; ++r)
-                for (std::size_t c = 0; c < block.width; ++c)
-                    if (rows[r].undecided[c]) {
-                        run.poll();
-                        decide(block.column + c, block.row + r, {rows[r].lower[c], rows[r].upper[c]},
-                               rows[r].hits[c], run);
-                    }
+        const bool inside = block.column >= tile.column && block.row >= tile.row &&
+                            block.column + block.width <= tile.column + tile.width &&
+                            block.row + block.height <= tile.row + tile.height;
+        if (inside) {
+            Hit* const first = &hits[(block.row - tile.row) * tile.width + block.column - tile.column];
+            return trace_block(block, first, tile.width, run);
         }
+        std::array<Hit, block_size * block_size> whole;
+        trace_block(block, whole.data(), block_size, run);
         const std::size_t first_row = std::max(block.row, tile.row);
+        const std::size_t last_row = std::min(block.row + block.height, tile.row + tile.height);
         const std::size_t first_column = std::max(block.column, tile.column);
         const std::size_t last_column = std::min(block.column + block.width, tile.column + tile.width);
-        for (std::size_t r = first_row; r < std::min(block.row + block.height, tile.row + tile.height); ++r)
-            for (std::size_t c = first_column; c < last_column; ++c)
-                hits[(r - tile.row) * tile.width + (c - tile.column)] =
-                    rows[r - block.row].hits[c - block.column];
+        for (std::size_t r = first_row; r < last_row; ++r)
+            std::copy_n(&whole[(r - block.row) * block_size + first_column - block.column],
+                        last_column - first_column,
+                        &hits[(r - tile.row) * tile.width + first_column - tile.column]);
+    }
+
+    /// \param hits of the block's first pixel; those of the next row are `stride` further on
+    void trace_block(const Tile& block, Hit* hits, std::size_t stride, base::Run& run) const {
+        Rows rows;
+        for (std::size_t r = 0; r < block.height; ++r) {
+            rows[r].hits = hits + r * stride;
+            std::fill_n(rows[r].hits, block.width, Hit{});
+        }
+        const Interval range = clip(block, rows);
+        if (range.empty()) return;
+        const auto size = static_cast<double>(block_size);
+        const field::Span in_u{frame_.u(static_cast<double>(block.column) + 0.5 * (size - 1.0)),
+                               0.5 * size / frame_.half_width()};
+        const field::Span in_v{frame_.v(static_cast<double>(block.row) + 0.5 * (size - 1.0)),
+                               0.5 * size / frame_.half_height()};
+        const field::WideBeam part = wide_.part(in_u, in_v);
+        for (const field::Span& slab : slabs(range)) trace_slab(part, block, in_u, in_v, slab, rows);
+        for (std::size_t r = 0; r < block.height; ++r)
+            for (std::size_t c = 0; c < block.width; ++c)
+                if (rows[r].progress[c] == Progress::undecided) {
+                    run.poll();
+                    decide(block.column + c, block.row + r, {rows[r].lower[c], rows[r].upper[c]},
+                           rows[r].hits[c], run);
+                }
     }
 
     /// The intervals of all rays of the block in w; the least interval that contains them.
@@ -133,18 +155,26 @@ class BeamTracer final : public GridTracer {
         Interval range{2.0, -2.0};
         for (std::size_t r = 0; r < block.height; ++r) {
             Row& row = rows[r];
-            row.lower.fill(1.0);
-            row.upper.fill(-1.0);
-            for (std::size_t c = 0; c < block.width; ++c) {
-                const Interval t = clip_.interval(
-                    rays_.ray(static_cast<double>(block.column + c), static_cast<double>(block.row + r)));
-                if (t.empty()) continue;
-                const Interval w = frame_.w_from_t(t);
-                row.lower[c] = w.lower;
-                row.upper[c] = w.upper;
-                row.pending = true;
-                range.lower = std::min(range.lower, w.lower);
-                range.upper = std::max(range.upper, w.upper);
+            clip_row_(
+                {.first = rays_.ray(static_cast<double>(block.column), static_cast<double>(block.row + r)),
+                 .origin_dx = rays_.origin_dx,
+                 .direction_dx = rays_.direction_dx,
+                 .balls = clip_.balls().data(),
+                 .ball_count = clip_.balls().size(),
+                 .half_spaces = clip_.half_spaces().data(),
+                 .half_space_count = clip_.half_spaces().size(),
+                 .is_pencil = frame_.is_pencil(),
+                 .middle_w = frame_.middle_w(),
+                 .radius_w = frame_.radius_w(),
+                 .count = block_size,
+                 .lower = row.lower.data(),
+                 .upper = row.upper.data()});
+            for (std::size_t c = 0; c < block_size; ++c) {
+                const bool meets = row.lower[c] <= row.upper[c] && c < block.width;
+                row.progress[c] = meets ? Progress::walking : Progress::done;
+                row.walking |= meets;
+                range.lower = std::min(range.lower, meets ? row.lower[c] : 2.0);
+                range.upper = std::max(range.upper, meets ? row.upper[c] : -2.0);
             }
         }
         return range;
@@ -167,17 +197,20 @@ class BeamTracer final : public GridTracer {
 
     void trace_slab(const field::WideBeam& part, const Tile& block, field::Span in_u, field::Span in_v,
                     field::Span in_w, Rows& rows) const {
+        if (std::none_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(block.height),
+                         [](const Row& row) { return row.walking; }))
+            return;
         const field::Beam beam = part.slab(in_w);
-        if (beam.has_no_zero()) return settle(beam, block, rows);
+        if (beam.has_no_zero()) return pass(beam, block, rows);
         for (std::size_t r = 0; r < block.height; ++r)
-            if (rows[r].pending) trace_row(beam, block, r, in_u, in_v, in_w, rows[r]);
+            if (rows[r].walking) trace_row(beam, block, r, in_u, in_v, in_w, rows[r]);
     }
 
     /// All rays pass a slab without zeros.
-    static void settle(const field::Beam& beam, const Tile& block, Rows& rows) {
+    static void pass(const field::Beam& beam, const Tile& block, Rows& rows) {
         for (std::size_t r = 0; r < block.height; ++r)
             for (std::size_t c = 0; c < block.width; ++c)
-                if (Hit& hit = rows[r].hits[c]; rows[r].lower[c] <= rows[r].upper[c] && hit.side == 0)
+                if (Hit& hit = rows[r].hits[c]; rows[r].progress[c] == Progress::walking && hit.side == 0)
                     hit.side = beam.coefficients[0] < 0.0 ? std::int8_t{-1} : std::int8_t{1};
     }
 
@@ -188,16 +221,19 @@ class BeamTracer final : public GridTracer {
         const double v = frame_.v(static_cast<double>(block.row + r));
         beam.collapse_rows(exact_.layout(), (v - in_v.center) / in_v.radius, coefficients.data(),
                            v_derivative.data());
-        BlockRow u{};
-        BlockRow lower{};
-        BlockRow upper{};
+        BlockRow u;
+        BlockRow lower;
+        BlockRow upper;
+        const double first_u = (frame_.u(static_cast<double>(block.column)) - in_u.center) / in_u.radius;
+        const double step_u = 1.0 / (in_u.radius * frame_.half_width());
+        const double per_w = 1.0 / in_w.radius;
         for (std::size_t c = 0; c < block_size; ++c) {
-            u[c] = (frame_.u(static_cast<double>(block.column + c)) - in_u.center) / in_u.radius;
-            const double from = (row.lower[c] - in_w.center) / in_w.radius - 0x1p-50;
-            const double to = (row.upper[c] - in_w.center) / in_w.radius + 0x1p-50;
-            const bool active = row.lower[c] <= row.upper[c] && !row.undecided[c] && !row.hits[c];
-            lower[c] = active ? std::max(from, -1.0) : 1.0;
-            upper[c] = active ? std::min(to, 1.0) : -1.0;
+            u[c] = first_u + static_cast<double>(c) * step_u; // exact
+            const double from = (row.lower[c] - in_w.center) * per_w - 0x1p-50;
+            const double to = (row.upper[c] - in_w.center) * per_w + 0x1p-50;
+            const bool walking = row.progress[c] == Progress::walking;
+            lower[c] = walking ? std::max(from, -1.0) : 1.0;
+            upper[c] = walking ? std::min(to, 1.0) : -1.0;
         }
         std::array<field::RayState, block_size> state;
         std::array<std::int8_t, block_size> side;
@@ -209,7 +245,7 @@ class BeamTracer final : public GridTracer {
         solve_row_({.degree = degree_,
                     .coefficients = coefficients.data(),
                     .v_derivative = v_derivative.data(),
-                    .bernstein = field::bernstein_matrix(degree_),
+                    .bernstein = bernstein_,
                     .error = beam.error + field::beam_row_rounding(degree_) * beam.magnitude,
                     .count = block_size,
                     .u = u.data(),
@@ -222,29 +258,25 @@ class BeamTracer final : public GridTracer {
                     .dw = dw.data(),
                     .side = side.data(),
                     .steps = steps.data()});
-        row.pending = false;
+        row.walking = false;
         for (std::size_t c = 0; c < block.width; ++c) {
-            if (lower[c] > upper[c]) {
-                // Not in this slab, but maybe in a later one.
-                row.pending |= row.lower[c] <= row.upper[c] && !row.undecided[c] && !row.hits[c];
-                continue;
-            }
+            if (row.progress[c] != Progress::walking) continue;
+            row.walking = true;
+            if (lower[c] > upper[c]) continue; // later
             Hit& hit = row.hits[c];
             hit.decision = Decision::vector;
             hit.steps = static_cast<std::uint8_t>(std::min(hit.steps + steps[c], 255));
             if (hit.side == 0) hit.side = side[c];
+            if (state[c] == field::RayState::no_root) continue;
             if (state[c] == field::RayState::undecided) {
-                row.undecided[c] = true;
-            } else if (state[c] == field::RayState::root) {
-                const double column = static_cast<double>(block.column + c);
-                hit.t = frame_.t_from_w(in_w.center + in_w.radius * root[c]);
-                hit.gradient =
-                    frame_.gradient(frame_.u(column), v, hit.t,
-                                    {du[c] / in_u.radius, dv[c] / in_v.radius, dw[c] / in_w.radius});
-                hit.kind = HitKind::crossing;
-            } else {
-                row.pending = true;
+                row.progress[c] = Progress::undecided;
+                continue;
             }
+            row.progress[c] = Progress::done;
+            hit.t = frame_.t_from_w(in_w.center + in_w.radius * root[c]);
+            hit.gradient = frame_.gradient(in_u.center + in_u.radius * u[c], v, hit.t, du[c] / in_u.radius,
+                                           dv[c] / in_v.radius, dw[c] * per_w);
+            hit.kind = HitKind::crossing;
         }
     }
 
@@ -290,7 +322,9 @@ class BeamTracer final : public GridTracer {
     field::ExactBeam exact_;
     field::WideBeam wide_;
     std::size_t degree_;
+    const double* bernstein_;
     field::BeamRowSolver solve_row_;
+    RowClipper clip_row_;
 };
 
 } // namespace

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "eliminant/scene/clip_region.hpp"
+
+#include "base/vector_unit.hpp"
+
+#include <cstddef>
+
+namespace eliminant::scene {
+
+/// One row of rays against a clip region, several rays at once: as ClipRegion::interval() for each, in the
+/// coordinate w of a BeamFrame.
+struct ClipRow {
+    static constexpr std::size_t padding = 8;
+
+    Ray first;            ///< of the first column
+    glm::dvec3 origin_dx; ///< from column to column
+    glm::dvec3 direction_dx;
+    const Ball* balls = nullptr;
+    std::size_t ball_count = 0;
+    const HalfSpace* half_spaces = nullptr;
+    std::size_t half_space_count = 0;
+
+    bool is_pencil = true; ///< w is affine in −1/t, else in t
+    double middle_w = 0.0;
+    double radius_w = 1.0;
+
+    std::size_t count = 0;   ///< a multiple of `padding`
+    double* lower = nullptr; ///< within [−1, 1]; lower > upper where the ray misses the region
+    double* upper = nullptr;
+};
+
+using RowClipper = void (*)(const ClipRow&);
+RowClipper row_clipper(base::VectorUnit unit);
+
+namespace detail {
+void clip_row_portable(const ClipRow& row);
+void clip_row_avx2(const ClipRow& row);
+void clip_row_avx512(const ClipRow& row);
+} // namespace detail
+
+} // namespace eliminant::scene

@@ -1,0 +1,9 @@
+#include "clip_rows_kernel.hpp"
+
+#include "field/pack_avx512.hpp"
+
+namespace eliminant::scene {
+
+void detail::clip_row_avx512(const ClipRow& row) { clip_row<Pack8>(row); }
+
+} // namespace eliminant::scene

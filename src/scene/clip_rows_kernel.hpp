@@ -1,0 +1,135 @@
+#pragma once
+
+#include "clip_rows.hpp"
+
+#include <cmath>
+#include <limits>
+
+/// ClipRow for one Pack (field/first_root_kernel.hpp); the formulas and their margins are explained in
+/// clip_region.cpp. In an unnamed namespace: one instance for each instruction set.
+namespace {
+
+using eliminant::scene::Ball;
+using eliminant::scene::ClipRow;
+using eliminant::scene::HalfSpace;
+
+constexpr double slack = 0x1p-48;
+
+template <class Pack>
+struct Vector {
+    Pack x, y, z;
+};
+
+template <class Pack>
+Vector<Pack> along(const glm::dvec3& start, const glm::dvec3& step, Pack i) {
+    return {fma(Pack::all(step.x), i, Pack::all(start.x)), fma(Pack::all(step.y), i, Pack::all(start.y)),
+            fma(Pack::all(step.z), i, Pack::all(start.z))};
+}
+template <class Pack>
+Pack dot(const Vector<Pack>& a, const Vector<Pack>& b) {
+    return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
+}
+template <class Pack>
+Vector<Pack> all(const glm::dvec3& v) {
+    return {Pack::all(v.x), Pack::all(v.y), Pack::all(v.z)};
+}
+template <class Pack>
+Vector<Pack> abs(const Vector<Pack>& v) {
+    return {abs(v.x), abs(v.y), abs(v.z)};
+}
+
+template <class Pack>
+class RowClip {
+    using Mask = typename Pack::Mask;
+
+  public:
+    explicit RowClip(const ClipRow& row) : row_(row) {}
+
+    void clip(std::size_t first) {
+        double numbers[Pack::lanes];
+        for (std::size_t lane = 0; lane < Pack::lanes; ++lane)
+            numbers[lane] = static_cast<double>(first + lane);
+        const Pack i = Pack::load(numbers);
+        origin_ = along(row_.first.origin, row_.origin_dx, i);
+        direction_ = along(row_.first.direction, row_.direction_dx, i);
+        lower_ = Pack::all(0.0);
+        upper_ = Pack::all(std::numeric_limits<double>::infinity());
+        squared_length_ = dot(direction_, direction_);
+        inverse_length_ = Pack::all(1.0) / sqrt(squared_length_);
+        for (std::size_t b = 0; b < row_.ball_count; ++b) intersect(row_.balls[b]);
+        for (std::size_t h = 0; h < row_.half_space_count; ++h) intersect(row_.half_spaces[h]);
+        write(first);
+    }
+
+  private:
+    void intersect(const Ball& ball) {
+        const Vector<Pack> center = all<Pack>(ball.center);
+        const Vector<Pack> from{origin_.x - center.x, origin_.y - center.y, origin_.z - center.z};
+        const Pack nearest = Pack::all(0.0) - dot(from, direction_) * inverse_length_ * inverse_length_;
+        const Vector<Pack> offset{fma(nearest, direction_.x, from.x), fma(nearest, direction_.y, from.y),
+                                  fma(nearest, direction_.z, from.z)};
+        // The sum norm is at least the length that the margin needs.
+        const Vector<Pack> sizes = abs(origin_);
+        const Pack scale = sizes.x + sizes.y + sizes.z +
+                           Pack::all(std::fabs(ball.center.x) + std::fabs(ball.center.y) +
+                                     std::fabs(ball.center.z) + ball.radius);
+        const Pack margin = Pack::all(slack) * scale;
+        const Pack radius = Pack::all(ball.radius) + margin;
+        const Pack squared = radius * radius - dot(offset, offset);
+        const Pack zero = Pack::all(0.0);
+        const Pack reach = (sqrt(max(squared, zero)) + margin) * inverse_length_;
+        const Mask misses = zero > squared;
+        lower_ = select(misses, Pack::all(1.0), max(lower_, nearest - reach));
+        upper_ = select(misses, zero - Pack::all(1.0), min(upper_, nearest + reach));
+    }
+
+    void intersect(const HalfSpace& half_space) {
+        const Vector<Pack> normal = all<Pack>(half_space.normal);
+        const Vector<Pack> sizes = abs(normal);
+        const Pack slope = dot(normal, direction_);
+        const Pack room = Pack::all(half_space.offset) - dot(normal, origin_);
+        const Pack margin =
+            Pack::all(slack) * (dot(sizes, abs(origin_)) + Pack::all(std::fabs(half_space.offset)));
+        const Pack zero = Pack::all(0.0);
+        const Mask level = ~(abs(slope) > Pack::all(0x1p-51) * dot(sizes, abs(direction_)));
+        const Mask outside = level & (zero > room + margin);
+        const Pack end = room / slope;
+        const Pack reach = margin / abs(slope) + Pack::all(slack) * abs(end);
+        const Mask leaving = ~level & (slope > zero);
+        const Mask entering = ~level & ~(slope > zero);
+        upper_ = select(leaving, min(upper_, end + reach), upper_);
+        lower_ = select(entering, max(lower_, end - reach), lower_);
+        lower_ = select(outside, Pack::all(1.0), lower_);
+        upper_ = select(outside, zero - Pack::all(1.0), upper_);
+    }
+
+    void write(std::size_t first) const {
+        const Mask empty = lower_ > upper_;
+        const Pack one = Pack::all(1.0);
+        const Pack minus_one = Pack::all(-1.0);
+        Pack from = lower_;
+        Pack to = upper_;
+        if (row_.is_pencil) {
+            from = minus_one / from;
+            to = minus_one / to;
+        }
+        const Pack middle = Pack::all(row_.middle_w);
+        const Pack inverse = Pack::all(1.0 / row_.radius_w);
+        const Pack margin = Pack::all(slack * (std::fabs(row_.middle_w) + row_.radius_w) / row_.radius_w);
+        select(empty, one, max((from - middle) * inverse - margin, minus_one)).store(row_.lower + first);
+        select(empty, minus_one, min((to - middle) * inverse + margin, one)).store(row_.upper + first);
+    }
+
+    const ClipRow& row_;
+    Vector<Pack> origin_, direction_;
+    Pack squared_length_, inverse_length_;
+    Pack lower_, upper_; // of t
+};
+
+template <class Pack>
+void clip_row(const ClipRow& row) {
+    RowClip<Pack> clip(row);
+    for (std::size_t first = 0; first < row.count; first += Pack::lanes) clip.clip(first);
+}
+
+} // namespace
