@@ -35,6 +35,7 @@ std::unique_ptr<Command> make_groebner();
 std::unique_ptr<Command> make_divide();
 std::unique_ptr<Command> make_eliminate();
 std::unique_ptr<Command> make_ideal();
+std::unique_ptr<Command> make_render();
 std::unique_ptr<Command> make_distance();
 
 } // namespace eliminant::app

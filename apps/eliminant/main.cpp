@@ -22,6 +22,7 @@ constexpr std::array commands{
     CommandEntry{"ideal", "sum, product, intersection, quotient, membership, dimension, …", make_ideal},
     CommandEntry{"distance", "how far a point is from a surface: estimates and a proven bound",
                  make_distance},
+    CommandEntry{"render", "a picture of a surface, right in every pixel", make_render},
 };
 
 const CommandEntry& find_command(std::string_view name) {

@@ -42,6 +42,7 @@ class Session {
     Run& run() { return run_; }
     Console& console() { return console_; }
     ResultFormat format() const { return options_.format; }
+    const std::string& output() const { return options_.output; } ///< empty or `-` for standard output
     unsigned threads() const { return run_.threads(); }
     double seconds() const; ///< since the session began
 
