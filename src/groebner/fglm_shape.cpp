@@ -7,7 +7,6 @@
 
 namespace eliminant::groebner {
 
-using algebra::Monomial;
 using algebra::PrimeField;
 using algebra::Ring;
 namespace dense = algebra::dense;

@@ -8,7 +8,6 @@
 
 namespace eliminant::groebner {
 
-using algebra::Integer;
 using algebra::MonomialOrder;
 using algebra::Polynomial;
 using algebra::PolynomialBuilder;
@@ -45,7 +44,7 @@ ChangedOrder OrderLifting::compute(Proof proof) {
     for (std::size_t wanted = 2;; wanted += std::max<std::size_t>(run_.threads(), wanted / 4)) {
         while (!lifting_ || lifting_->prime_count() < wanted) {
             const std::size_t have = lifting_ ? lifting_->prime_count() : 0;
-            for (Image& image : next_images(wanted - have)) add(std::move(image));
+            for (const Image& image : next_images(wanted - have)) add(image);
         }
         run_.report([&] { return base::Progress{"change of order, primes", lifting_->prime_count(), 0}; });
         if (lift_and_check() && (proof == Proof::none || is_proved())) break;
@@ -67,7 +66,7 @@ std::vector<OrderLifting::Image> OrderLifting::next_images(std::size_t count) {
     return images;
 }
 
-void OrderLifting::add(Image image) {
+void OrderLifting::add(const Image& image) {
     const auto comparison =
         lifting_ ? compare_standard(image.basis, pattern_) : std::strong_ordering::greater;
     if (comparison > 0) begin(image.basis);
@@ -104,7 +103,7 @@ bool OrderLifting::lift_and_check() {
     bool agrees = same_pattern && lifting_->agrees(extra.prime, residues(extra.basis), run_);
     for (std::size_t i = 0; i < lifting_->prime_count() && agrees; ++i)
         agrees = lifting_->agrees_with_added(i, run_);
-    add(std::move(extra));
+    add(extra);
     return agrees;
 }
 
@@ -136,7 +135,7 @@ bool OrderLifting::is_proved_in_shape_position() {
             return base::Progress{"change of order, primes of the proof", lifting_->prime_count(),
                                   lifting_->prime_count() + missing};
         });
-        for (Image& image : next_images(std::min<std::size_t>(missing, 8 * run_.threads()))) {
+        for (const Image& image : next_images(std::min(missing, std::size_t{8} * run_.threads()))) {
             if (compare_standard(image.basis, pattern_) != 0 ||
                 image.basis.numerators.size() != pattern_.numerators.size())
                 continue;

@@ -34,7 +34,7 @@ class OrderLifting {
     };
 
     std::vector<Image> next_images(std::size_t count);
-    void add(Image image);
+    void add(const Image& image);
     void begin(const ConvertedBasis& basis);
     std::vector<std::uint32_t> residues(const ConvertedBasis& basis) const;
     bool is_shape() const { return !pattern_.numerators.empty(); }

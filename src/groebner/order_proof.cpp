@@ -156,14 +156,14 @@ bool ShapeProof::follows(const LiftedBasis& candidate, base::Run& run) {
     const Polynomial modulus = univariate(ring, chi);
     for (std::size_t j = 1; j < candidate.leads.size(); ++j) {
         const LiftedBasis::Vector& q = candidate.tails[j];
-        const LiftedBasis::Vector& N = candidate.numerators.front();
-        const LiftedBasis::Vector& Nj = candidate.numerators[j];
+        const LiftedBasis::Vector& n = candidate.numerators.front();
+        const LiftedBasis::Vector& n_j = candidate.numerators[j];
         const auto scaled = [&](const std::vector<Integer>& f, const Integer& factor) {
             return univariate(ring, f).scaled(mpq_class(factor.to_mpz()));
         };
         const Polynomial left =
-            multiply(univariate(ring, q.numerators), scaled(N.numerators, Nj.denominator), run);
-        const Polynomial right = scaled(Nj.numerators, N.denominator * q.denominator);
+            multiply(univariate(ring, q.numerators), scaled(n.numerators, n_j.denominator), run);
+        const Polynomial right = scaled(n_j.numerators, n.denominator * q.denominator);
         if (!try_divide(left - right, modulus, run)) return false;
     }
     return true;

@@ -7,7 +7,7 @@
 namespace eliminant::groebner {
 namespace {
 
-ResidueKernels::Sum dot(const std::uint32_t* a, const std::uint32_t* b, std::size_t n) {
+inline ResidueKernels::Sum dot(const std::uint32_t* a, const std::uint32_t* b, std::size_t n) {
     std::uint64_t high = 0;
     std::uint64_t low = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -18,8 +18,8 @@ ResidueKernels::Sum dot(const std::uint32_t* a, const std::uint32_t* b, std::siz
     return {high, low};
 }
 
-void subtract_multiple(std::uint64_t* __restrict v, const std::uint32_t* __restrict row, std::size_t n,
-                       std::uint32_t factor, std::uint64_t p_squared) {
+inline void subtract_multiple(std::uint64_t* __restrict v, const std::uint32_t* __restrict row, std::size_t n,
+                              std::uint32_t factor, std::uint64_t p_squared) {
     for (std::size_t i = 0; i < n; ++i) {
         // Both are below p² < 2^62, so the difference has its sign in the top bit.
         const std::uint64_t difference = v[i] - std::uint64_t{factor} * row[i];
@@ -28,7 +28,7 @@ void subtract_multiple(std::uint64_t* __restrict v, const std::uint32_t* __restr
     }
 }
 
-constexpr ResidueKernels compiled_kernels = {dot, subtract_multiple};
+inline constexpr ResidueKernels compiled_kernels = {dot, subtract_multiple};
 
 } // namespace
 } // namespace eliminant::groebner

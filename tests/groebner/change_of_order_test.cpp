@@ -191,73 +191,74 @@ TEST(ChangeOfOrder, StopsSoonWhenAsked) {
 class ProofsOfLiftedBases : public ::testing::Test {
   protected:
     ProofsOfLiftedBases()
-        : ring(CoefficientField::rationals(), {"x", "y"}),
-          basis(basis_of(ring, parsed(ring, {"3*x^2+x*y-y+5", "y^2-2*x+7*y-1"}), run)),
-          staircase(*groebner::Staircase::of(basis, 100, run)), quotient(staircase, basis, run) {
-        const Ring lex = ring.with_order(MonomialOrder::lex());
+        : ring_(CoefficientField::rationals(), {"x", "y"}),
+          basis_(basis_of(ring_, parsed(ring_, {"3*x^2+x*y-y+5", "y^2-2*x+7*y-1"}), run_)),
+          staircase_(*groebner::Staircase::of(basis_, 100, run_)), quotient_(staircase_, basis_, run_) {
+        const Ring lex = ring_.with_order(MonomialOrder::lex());
         const algebra::PrimeField field(first_prime);
-        groebner::QuotientAlgebra algebra(staircase, basis, field, run);
-        image = groebner::convert(algebra, lex, variables, true, run);
-        std::vector<std::size_t> sizes(image.tails.size() + image.numerators.size(), image.standard.size());
+        groebner::QuotientAlgebra algebra(staircase_, basis_, field, run_);
+        image_ = groebner::convert(algebra, lex, variables_, true, run_);
+        std::vector<std::size_t> sizes(image_.tails.size() + image_.numerators.size(),
+                                       image_.standard.size());
         algebra::RationalLifting lifting(sizes);
-        for (std::uint64_t p = first_prime; !(lifting.prime_count() > 3 && lifting.lift(run));
+        for (std::uint64_t p = first_prime; !(lifting.prime_count() > 3 && lifting.lift(run_));
              p = algebra::previous_prime(p)) {
             const algebra::PrimeField next(p);
-            groebner::QuotientAlgebra other(staircase, basis, next, run);
-            const auto converted = groebner::convert(other, lex, variables, true, run);
+            groebner::QuotientAlgebra other(staircase_, basis_, next, run_);
+            const auto converted = groebner::convert(other, lex, variables_, true, run_);
             std::vector<std::uint32_t> residues;
             for (const auto* part : {&converted.tails, &converted.numerators})
                 for (const auto& v : *part) residues.insert(residues.end(), v.begin(), v.end());
             lifting.add(static_cast<std::uint32_t>(p), residues);
         }
-        vectors = lifting.take_vectors();
+        vectors_ = lifting.take_vectors();
     }
 
     groebner::LiftedBasis candidate() const {
-        const std::span all(vectors);
-        return {image.standard, image.leads, all.first(2), all.subspan(2)};
+        const std::span all(vectors_);
+        return {image_.standard, image_.leads, all.first(2), all.subspan(2)};
     }
 
-    base::Run run;
-    Ring ring;
-    std::vector<Polynomial> basis;
-    groebner::Staircase staircase;
-    groebner::RationalQuotient quotient;
-    std::vector<std::size_t> variables = {0, 1};
-    groebner::ConvertedBasis image;
-    std::vector<algebra::RationalLifting::Vector> vectors;
+    base::Run run_;
+    Ring ring_;
+    std::vector<Polynomial> basis_;
+    groebner::Staircase staircase_;
+    groebner::RationalQuotient quotient_;
+    std::vector<std::size_t> variables_ = {0, 1};
+    groebner::ConvertedBasis image_;
+    std::vector<algebra::RationalLifting::Vector> vectors_;
 };
 
 TEST_F(ProofsOfLiftedBases, AcceptWhatIsRight) {
-    ASSERT_EQ(image.numerators.size(), 2U) << "not in shape position";
-    EXPECT_TRUE(groebner::is_in_ideal(candidate(), quotient, variables, run));
-    EXPECT_TRUE(groebner::ShapeProof::follows(candidate(), run));
+    ASSERT_EQ(image_.numerators.size(), 2U) << "not in shape position";
+    EXPECT_TRUE(groebner::is_in_ideal(candidate(), quotient_, variables_, run_));
+    EXPECT_TRUE(groebner::ShapeProof::follows(candidate(), run_));
     const std::vector<std::size_t> others = {0};
-    EXPECT_TRUE(groebner::ShapeProof(quotient, 1, others, run).modulus_bits_needed(candidate()));
+    EXPECT_TRUE(groebner::ShapeProof(quotient_, 1, others, run_).modulus_bits_needed(candidate()));
 }
 
 TEST_F(ProofsOfLiftedBases, RejectEveryChangedCoefficient) {
     for (std::size_t v = 0; v < 2; ++v) {
-        for (algebra::Integer& n : vectors[v].numerators) {
+        for (algebra::Integer& n : vectors_[v].numerators) {
             const algebra::Integer right = n;
             n += algebra::Integer(1);
-            EXPECT_FALSE(groebner::is_in_ideal(candidate(), quotient, variables, run));
-            EXPECT_FALSE(groebner::ShapeProof::follows(candidate(), run));
+            EXPECT_FALSE(groebner::is_in_ideal(candidate(), quotient_, variables_, run_));
+            EXPECT_FALSE(groebner::ShapeProof::follows(candidate(), run_));
             n = right;
         }
     }
     // A denominator that cannot be.
-    vectors[0].denominator *= algebra::Integer(1000003);
+    vectors_[0].denominator *= algebra::Integer(1000003);
     const std::vector<std::size_t> others = {0};
-    EXPECT_FALSE(groebner::ShapeProof(quotient, 1, others, run).modulus_bits_needed(candidate()));
+    EXPECT_FALSE(groebner::ShapeProof(quotient_, 1, others, run_).modulus_bits_needed(candidate()));
 }
 
 // The bound that the proof rests on holds for what it bounds, and is not much larger than need be.
 TEST_F(ProofsOfLiftedBases, TheBoundCoversTheCharacteristicPolynomial) {
     const std::vector<std::size_t> others = {0};
-    const auto needed = groebner::ShapeProof(quotient, 1, others, run).modulus_bits_needed(candidate());
+    const auto needed = groebner::ShapeProof(quotient_, 1, others, run_).modulus_bits_needed(candidate());
     std::size_t largest = 0;
-    for (const auto& n : vectors[0].numerators) largest = std::max(largest, n.bit_length());
+    for (const auto& n : vectors_[0].numerators) largest = std::max(largest, n.bit_length());
     EXPECT_GT(*needed, static_cast<double>(largest));
     EXPECT_LT(*needed, 400);
 }

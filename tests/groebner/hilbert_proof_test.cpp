@@ -18,19 +18,19 @@ class HilbertProof : public ::testing::Test {
     void choose(Random& random) {
         std::vector<Polynomial> generators;
         for (int i = 0; i < 2; ++i)
-            generators.push_back(eliminant::testing::random_small(ring, random, 4, 3));
-        graded = buchberger(ring, generators, {}, run).elements;
+            generators.push_back(eliminant::testing::random_small(ring_, random, 4, 3));
+        graded_ = buchberger(ring_, generators, {}, run_).elements;
         std::vector<Polynomial> homogeneous;
-        for (const Polynomial& f : graded) homogeneous.push_back(homogenize(f.in_ring(extended), 3));
-        candidate = buchberger(extended, homogeneous, {}, run).elements;
+        for (const Polynomial& f : graded_) homogeneous.push_back(homogenize(f.in_ring(extended_), 3));
+        candidate_ = buchberger(extended_, homogeneous, {}, run_).elements;
     }
-    bool accepts() { return is_basis_of_homogenization(candidate, 3, graded, run); }
+    bool accepts() { return is_basis_of_homogenization(candidate_, 3, graded_, run_); }
 
-    base::Run run;
-    Ring ring{CoefficientField::rationals(), {"x", "y", "z"}};
-    Ring extended{CoefficientField::rationals(), {"x", "y", "z", "h"}, MonomialOrder::elimination({0})};
-    std::vector<Polynomial> graded;
-    std::vector<Polynomial> candidate;
+    base::Run run_;
+    Ring ring_{CoefficientField::rationals(), {"x", "y", "z"}};
+    Ring extended_{CoefficientField::rationals(), {"x", "y", "z", "h"}, MonomialOrder::elimination({0})};
+    std::vector<Polynomial> graded_;
+    std::vector<Polynomial> candidate_;
 };
 
 TEST_F(HilbertProof, AcceptsBases) {
@@ -45,8 +45,8 @@ TEST_F(HilbertProof, RejectsAMissingElement) {
     Random random(32);
     for (int round = 0; round < 20; ++round) {
         choose(random);
-        if (candidate.empty()) continue;
-        candidate.erase(candidate.begin() + static_cast<std::ptrdiff_t>(random() % candidate.size()));
+        if (candidate_.empty()) continue;
+        candidate_.erase(candidate_.begin() + static_cast<std::ptrdiff_t>(random() % candidate_.size()));
         EXPECT_FALSE(accepts()) << "round " << round;
     }
 }
@@ -56,7 +56,7 @@ TEST_F(HilbertProof, RejectsAChangedCoefficient) {
     int changed = 0;
     for (int round = 0; round < 20; ++round) {
         choose(random);
-        for (Polynomial& f : candidate) {
+        for (Polynomial& f : candidate_) {
             if (f.size() < 2) continue;
             const Polynomial right = f;
             f += Polynomial::term(f.monomial(f.size() - 1), 1);
@@ -71,8 +71,8 @@ TEST_F(HilbertProof, RejectsAChangedCoefficient) {
 TEST_F(HilbertProof, RejectsWhatIsNotHomogeneous) {
     Random random(34);
     choose(random);
-    ASSERT_FALSE(candidate.empty());
-    candidate.front() += Polynomial::constant(extended, 1);
+    ASSERT_FALSE(candidate_.empty());
+    candidate_.front() += Polynomial::constant(extended_, 1);
     EXPECT_FALSE(accepts());
 }
 
