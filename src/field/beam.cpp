@@ -1,6 +1,7 @@
 #include "beam.hpp"
 
 #include "beam_rows.hpp"
+#include "dyadic.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,19 +9,6 @@
 
 namespace eliminant::field {
 namespace {
-
-/// value / 2^exponent to about 106 bits; below 2^-1000 in magnitude it may become 0.
-DoubleDouble to_double_double(const mpz_class& value, long exponent) {
-    const auto truncated = [exponent](const mpz_class& x) {
-        long own = 0;
-        const double mantissa = mpz_get_d_2exp(&own, x.get_mpz_t());
-        return std::ldexp(mantissa, static_cast<int>(own - exponent));
-    };
-    const std::size_t bits = mpz_sizeinbase(value.get_mpz_t(), 2);
-    mpz_class rest = 0; // what is below the 53 leading bits
-    if (bits > 53) mpz_tdiv_r_2exp(rest.get_mpz_t(), value.get_mpz_t(), bits - 53);
-    return fast_two_sum(truncated(value), rest == 0 ? 0.0 : truncated(rest));
-}
 
 /// p(x) ← p(center + radius·x) for the n + 1 coefficients at p, p + stride(0), …; `index(i)` is where the
 /// coefficient of x^i stands. n²/2 + n multiplications.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "double_double.hpp"
+
 #include <gmpxx.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -41,6 +43,19 @@ inline mpz_class scaled_integer(double value, long exponent) {
     else
         mpz_tdiv_q_2exp(result.get_mpz_t(), result.get_mpz_t(), static_cast<mp_bitcnt_t>(-shift));
     return result;
+}
+
+/// value / 2^exponent to about 106 bits; below 2^-1000 in magnitude it may become 0.
+inline DoubleDouble to_double_double(const mpz_class& value, long exponent) {
+    const auto truncated = [exponent](const mpz_class& x) {
+        long own = 0;
+        const double mantissa = mpz_get_d_2exp(&own, x.get_mpz_t());
+        return std::ldexp(mantissa, static_cast<int>(own - exponent));
+    };
+    const std::size_t bits = mpz_sizeinbase(value.get_mpz_t(), 2);
+    mpz_class rest = 0; // what is below the 53 leading bits
+    if (bits > 53) mpz_tdiv_r_2exp(rest.get_mpz_t(), value.get_mpz_t(), bits - 53);
+    return fast_two_sum(truncated(value), rest == 0 ? 0.0 : truncated(rest));
 }
 
 } // namespace eliminant::field

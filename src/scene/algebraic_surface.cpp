@@ -1,12 +1,13 @@
 #include "eliminant/scene/algebraic_surface.hpp"
 
 #include "scene/finite.hpp"
+#include "scene/framing.hpp"
 #include "scene/grid_tracer.hpp"
 
 #include "eliminant/algebra/gcd.hpp"
 #include "eliminant/field/compiled_polynomial.hpp"
-#include "eliminant/field/ray_restriction.hpp"
-#include "eliminant/field/real_roots.hpp"
+#include "eliminant/field/distance.hpp"
+#include "eliminant/field/ray_roots.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -17,16 +18,6 @@
 
 namespace eliminant::scene {
 namespace {
-
-Hit hit_at(const Ray& ray, const field::RealRoot& root, const field::CompiledPolynomial& f) {
-    Hit hit;
-    hit.t = root.value;
-    hit.gradient = f.jet(ray.at(root.value)).gradient;
-    hit.kind = root.multiplicity % 2 != 0 ? HitKind::crossing : HitKind::tangency;
-    hit.side = static_cast<std::int8_t>(root.sign_before);
-    hit.decision = Decision::exact;
-    return hit;
-}
 
 Hit contained_at(double t) {
     Hit hit;
@@ -65,7 +56,8 @@ Curvature curvature_of(const field::Jet& jet) {
 /// f = 0 for a squarefree f that is not constant.
 class AlgebraicSurface final : public Surface {
   public:
-    explicit AlgebraicSurface(algebra::Polynomial f) : f_(std::move(f)), compiled_(f_) {}
+    explicit AlgebraicSurface(algebra::Polynomial f)
+        : f_(std::move(f)), distances_(f_), compiled_(distances_.polynomial()), roots_(f_) {}
 
     std::unique_ptr<GridTracer> tracer(const RayGrid& rays, const ClipRegion& clip,
                                        base::Run& run) const override {
@@ -77,29 +69,26 @@ class AlgebraicSurface final : public Surface {
         require_interval(interval);
         if (interval.empty()) return {};
         base::Run run;
-        const auto restricted = field::restrict_to_ray(f_, ray.origin, ray.direction, run);
-        if (std::ranges::all_of(restricted, [](const mpz_class& c) { return c == 0; }))
-            return contained_at(interval.lower);
-        const auto root = field::first_real_root(restricted, interval.lower, interval.upper, run);
-        if (root) return hit_at(ray, *root, compiled_);
-        Hit miss;
-        miss.decision = Decision::exact;
-        miss.side = static_cast<std::int8_t>(sign(ray.at(interval.lower)));
-        return miss;
+        return hit_at(ray, roots_.first(ray.origin, ray.direction, interval.lower, interval.upper, run));
     }
 
     std::vector<Hit> all_hits(const Ray& ray, Interval interval) const override {
         require_ray(ray);
         require_interval(interval);
-        if (interval.empty()) return {};
         base::Run run;
-        const auto restricted = field::restrict_to_ray(f_, ray.origin, ray.direction, run);
-        if (std::ranges::all_of(restricted, [](const mpz_class& c) { return c == 0; }))
-            return {contained_at(interval.lower)};
         std::vector<Hit> hits;
-        for (const field::RealRoot& root : field::real_roots(restricted, interval.lower, interval.upper, run))
-            hits.push_back(hit_at(ray, root, compiled_));
+        for (const field::RayRoot& root :
+             roots_.all(ray.origin, ray.direction, interval.lower, interval.upper, run))
+            hits.push_back(hit_at(ray, root));
         return hits;
+    }
+
+    bool occluded(const Ray& ray, Interval interval) const override {
+        require_ray(ray);
+        require_interval(interval);
+        base::Run run;
+        return roots_.first(ray.origin, ray.direction, interval.lower, interval.upper, run).kind !=
+               field::RayRoot::Kind::none;
     }
 
     int sign(glm::dvec3 point) const override {
@@ -108,15 +97,34 @@ class AlgebraicSurface final : public Surface {
     }
     double value(glm::dvec3 point) const override { return compiled_.value(point); }
     glm::dvec3 gradient(glm::dvec3 point) const override { return compiled_.jet(point).gradient; }
-    double distance(glm::dvec3 /*point*/, field::DistanceLevel /*level*/) const override {
-        throw base::DomainError("distance: not built");
+    double distance(glm::dvec3 point, field::DistanceLevel level) const override {
+        if (!is_finite(point)) throw base::DomainError("distance: the point must be finite");
+        return field::distance(distances_, point, level).value;
     }
     Curvature curvature(glm::dvec3 point) const override { return curvature_of(compiled_.jet(point)); }
-    Ball framing_ball() const override { return {glm::dvec3(0.0), 2.0}; }
+    Ball framing_ball() const override { return frame(*this, asymptotic_radius(f_)); }
 
   private:
+    Hit hit_at(const Ray& ray, const field::RayRoot& root) const {
+        Hit hit;
+        hit.side = static_cast<std::int8_t>(root.side);
+        hit.steps = static_cast<std::uint8_t>(std::min(root.steps, 255));
+        hit.decision = root.precision == field::Precision::doubles ? Decision::vector
+                       : root.precision == field::Precision::wide  ? Decision::wide
+                                                                   : Decision::exact;
+        if (root.kind == field::RayRoot::Kind::none) return hit;
+        hit.t = root.t;
+        hit.kind = root.kind == field::RayRoot::Kind::crossing   ? HitKind::crossing
+                   : root.kind == field::RayRoot::Kind::tangency ? HitKind::tangency
+                                                                 : HitKind::contained;
+        hit.gradient = compiled_.jet(ray.at(root.t)).gradient;
+        return hit;
+    }
+
     algebra::Polynomial f_;
+    field::DistanceField distances_;
     field::CompiledPolynomial compiled_;
+    field::RayRoots roots_;
 };
 
 /// f = c for a number c: everywhere or nowhere.

@@ -6,6 +6,7 @@
 #include "eliminant/scene/ray.hpp"
 
 #include "eliminant/base/run.hpp"
+#include "eliminant/field/distance.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -14,10 +15,6 @@
 #include <memory>
 #include <span>
 #include <vector>
-
-namespace eliminant::field {
-enum class DistanceLevel; // eliminant/field/distance.hpp
-}
 
 namespace eliminant::scene {
 

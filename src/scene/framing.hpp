@@ -1,0 +1,19 @@
+#pragma once
+
+#include "eliminant/scene/surface.hpp"
+
+#include "eliminant/algebra/polynomial.hpp"
+
+namespace eliminant::scene {
+
+/// Where the part of the highest degree outweighs all others together, in mean squares over the sphere:
+/// farther out a surface is close to its cone of asymptotes, and looks the same at every scale. 1 if that
+/// cannot be told.
+double asymptotic_radius(const algebra::Polynomial& f);
+
+/// A ball about the origin that shows a surface: if it seems bounded, because a bundle of rays meets it in
+/// some ball but not in the next ones of twice the size, one that holds all hits of a finer bundle; else the
+/// ball of the radius given.
+Ball frame(const Surface& surface, double radius_if_unbounded);
+
+} // namespace eliminant::scene
