@@ -31,6 +31,7 @@ struct CommandEntry {
 };
 
 std::unique_ptr<Command> make_implicitize();
+std::unique_ptr<Command> make_verify();
 std::unique_ptr<Command> make_groebner();
 std::unique_ptr<Command> make_divide();
 std::unique_ptr<Command> make_eliminate();

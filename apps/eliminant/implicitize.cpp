@@ -1,10 +1,12 @@
 /// \file
 /// `eliminant implicitize`.
+#include "certificate_json.hpp"
 #include "command.hpp"
 #include "input.hpp"
 #include "results.hpp"
 
 #include "eliminant/algebra/parse.hpp"
+#include "eliminant/implicit/certify.hpp"
 #include "eliminant/implicit/implicitize.hpp"
 
 #include <algorithm>
@@ -127,6 +129,8 @@ class ImplicitizeCommand : public Command {
         options.choice<Assurance>("assurance", "how sure the result must be at least (default proved)",
                                   {{"proved", Assurance::proved}, {"probable", Assurance::probable}},
                                   assurance_);
+        options.value("certificate", 0, "FILE", "write a certificate that `eliminant verify` checks",
+                      [this](std::string_view text) { certificate_ = text; });
     }
 
     ExitStatus run(std::span<const std::string> operands, Session& session) override {
@@ -136,9 +140,12 @@ class ImplicitizeCommand : public Command {
         const std::vector<std::string> coordinates = coordinate_names(parametrization);
         if (order_) options.order = parse_order(SourceText(*order_, "--order"), coordinates);
 
+        std::optional<Destination> certificate;
+        if (certificate_) certificate.emplace(*certificate_);
         const ImplicitResult result = implicitize(parametrization, options, session.run());
         for (const std::string& warning : result.warnings) session.console().warning(warning);
         describe(result, session);
+        if (certificate) write_certificate(*certificate, parametrization, result, session);
         session.write_result(session.format() == ResultFormat::json
                                  ? json(result, coordinates.size(), session.seconds())
                                  : equations_in(session.format(), result));
@@ -146,6 +153,15 @@ class ImplicitizeCommand : public Command {
     }
 
   private:
+    static void write_certificate(const Destination& file, const Parametrization& parametrization,
+                                  const ImplicitResult& result, Session& session) {
+        const auto certificate = certify(parametrization, result, session.run());
+        if (certificate)
+            file.write(certificate_to_json(*certificate), session.run());
+        else
+            session.console().warning("no certificate was written: there is none for inputs with relations");
+    }
+
     static void describe(const ImplicitResult& result, Session& session) {
         Console& console = session.console();
         for (const std::string& note : result.notes) console.detail("note: " + note);
@@ -159,6 +175,7 @@ class ImplicitizeCommand : public Command {
     Method method_ = Method::automatic;
     Assurance assurance_ = Assurance::proved; // what is proved serves those who ask for less, too
     std::optional<std::string> order_;
+    std::optional<std::string> certificate_;
 };
 
 } // namespace

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::array commands{
     CommandEntry{"implicitize", "exact implicit equations of a parametrization", make_implicitize},
+    CommandEntry{"verify", "check the certificate of an implicit equation", make_verify},
     CommandEntry{"groebner", "reduced Groebner basis of a polynomial system", make_groebner},
     CommandEntry{"divide", "multivariate division with quotients and remainder", make_divide},
     CommandEntry{"eliminate", "the consequences of a system without some variables", make_eliminate},

@@ -4,6 +4,7 @@
 #include "implicit/domain.hpp"
 #include "implicit/hypersurface.hpp"
 #include "implicit/kernel.hpp"
+#include "implicit/map_of.hpp"
 #include "implicit/verify_hypersurface.hpp"
 
 #include <utility>
@@ -86,7 +87,7 @@ class Implicitization {
 
     /// Whether a method for hypersurfaces, of those that may be tried, found the equation; it is proved.
     bool by_method_for_hypersurfaces() {
-        const RationalMap map = rational_map();
+        const RationalMap map = map_of(parametrization_, run_);
         const ScaledProblem scaled = hypersurface_problem(map, hypersurface_ring_, run_);
         for (const Method method : methods_to_try(method_, scaled.problem)) {
             const std::string name(to_string(method));
@@ -96,7 +97,8 @@ class Implicitization {
                 continue;
             }
             Polynomial f = with_scales(found->equation, scaled.scales, run_);
-            if (!prove_hypersurface(map, f, run_)) {
+            result_.claims = prove_hypersurface(map, f, run_);
+            if (!result_.claims) {
                 result_.choice += "what the method " + name + " found could not be proved; ";
                 continue;
             }
@@ -114,16 +116,6 @@ class Implicitization {
         result_.choice += found.how;
         result_.statistics.primes_used = found.primes_used;
         if (!is_graph(parametrization_, map_)) result_.notes.emplace_back(closure_note);
-    }
-
-    RationalMap rational_map() {
-        std::vector<CosineSine> rotations;
-        for (const auto& [cosine, sine] : parametrization_.rotations()) rotations.emplace_back(cosine, sine);
-        std::vector<algebra::RationalFunction> functions;
-        for (const Coordinate& coordinate : parametrization_.coordinates())
-            functions.push_back(coordinate.value);
-        return implicit::rational_map(parametrization_.ring(), parametrization_.constants(), rotations,
-                                      functions, run_);
     }
 
     void with_relations() {

@@ -10,20 +10,6 @@
 
 namespace eliminant::implicit {
 
-/// What proves that f generates the ideal of the image of a map in n-dimensional space, over the field of
-/// constants:
-///
-/// 1. f is zero on the map, so in the ideal of the image, which is prime, and not {0};
-/// 2. the image has dimension at least n − 1, so the ideal has height one, and is principal (the ring being
-///    factorial): f is a multiple of its generator;
-/// 3. f is irreducible, so it is the generator, up to a constant.
-struct HypersurfaceProof {
-    VanishingBounds bounds;
-    std::vector<std::uint64_t> primes; ///< modulo which f is zero on the map
-    RankPoint rank;                    ///< n − 1 there
-    SectionLine section;               ///< f is irreducible there
-};
-
 constexpr std::string_view hypersurface_theorem =
     "the polynomial vanishes on the parametrization, modulo primes whose product exceeds the coefficients of "
     "what is "
@@ -33,9 +19,17 @@ constexpr std::string_view hypersurface_theorem =
     "prime, where "
     "it keeps its degree";
 
+/// Proves that f generates the ideal of the image of a map in n-dimensional space, over the field of
+/// constants:
+///
+/// 1. f is zero on the map, so in the ideal of the image, which is prime, and not {0};
+/// 2. the image has dimension at least n − 1, so the ideal has height one, and is principal (the ring being
+///    factorial): f is a multiple of its generator;
+/// 3. f is irreducible, so it is the generator, up to a constant.
+///
 /// \param f in the ring of the map's coordinates, not zero, without factors in ℤ[constants] alone
 /// \returns nullopt if one of the three fails, or is not found
-std::optional<HypersurfaceProof> prove_hypersurface(const RationalMap& map, const algebra::Polynomial& f,
-                                                    base::Run& run);
+std::optional<Claims> prove_hypersurface(const RationalMap& map, const algebra::Polynomial& f,
+                                         base::Run& run);
 
 } // namespace eliminant::implicit

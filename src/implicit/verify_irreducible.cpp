@@ -17,6 +17,8 @@ using dense::Vector;
 
 namespace {
 
+constexpr std::uint64_t prime_bound = std::uint64_t{1} << 20;
+
 /// Residue classes modulo a monic polynomial f over GF(p), p below 2^20: sums of products, of less than 2^40
 /// each, fit in 64 bits for every degree below 2^23.
 class ResidueClasses {
@@ -64,11 +66,6 @@ class ResidueClasses {
 
 } // namespace
 
-std::uint64_t section_prime() {
-    static const std::uint64_t prime = algebra::previous_prime(std::uint64_t{1} << 20);
-    return prime;
-}
-
 std::uint64_t degree_in_coordinates(const Polynomial& f, std::size_t coordinates) {
     std::uint64_t degree = 0;
     for (std::size_t i = 0; i < f.size(); ++i) {
@@ -87,7 +84,7 @@ class Sections {
     Sections(const Polynomial& f, std::size_t coordinates, const PrimeField& field)
         : field_(field), degree_(degree_in_coordinates(f, coordinates)), values_(f, field) {}
 
-    Vector on(const SectionLine& line, base::Run& run) {
+    Vector on(const SectionClaim& line, base::Run& run) {
         constexpr std::size_t lanes = ValuesModulo::lanes;
         Vector parameters(degree_ + 1);
         std::iota(parameters.begin(), parameters.end(), Element{0});
@@ -118,11 +115,6 @@ class Sections {
 
 } // namespace
 
-std::vector<std::uint32_t> restricted_to(const Polynomial& f, std::size_t coordinates,
-                                         const SectionLine& line, base::Run& run) {
-    return Sections(f, coordinates, PrimeField(line.prime)).on(line, run);
-}
-
 bool is_irreducible(const std::vector<std::uint32_t>& f, const PrimeField& field, base::Run& run) {
     if (f.size() < 2) return false;
     ResidueClasses classes(field, f);
@@ -139,21 +131,38 @@ bool is_irreducible(const std::vector<std::uint32_t>& f, const PrimeField& field
     return true;
 }
 
-std::optional<SectionLine> irreducible_section(const Polynomial& f, std::size_t coordinates, base::Run& run) {
-    const PrimeField field(section_prime());
+std::optional<SectionClaim> irreducible_section(const Polynomial& f, std::size_t coordinates,
+                                                base::Run& run) {
+    const PrimeField field(algebra::previous_prime(prime_bound));
     const std::uint64_t attempts = 40 * (degree_in_coordinates(f, coordinates) + 1);
     Sections sections(f, coordinates, field);
     algebra::Random random(run.seed());
-    SectionLine line{field.characteristic(), Vector(f.ring().variable_count()),
-                     Vector(f.ring().variable_count(), 0)};
+    const std::size_t n = f.ring().variable_count();
+    SectionClaim line{field.characteristic(), Vector(n), Vector(n, 0), {}};
     for (std::uint64_t i = 0; i < attempts; ++i) {
         for (Element& a : line.base) a = random.below(field.characteristic());
         for (std::size_t j = 0; j < coordinates; ++j)
             line.direction[j] = random.below(field.characteristic());
-        const Vector section = sections.on(line, run);
-        if (!section.empty() && is_irreducible(section, field, run)) return line;
+        line.section = sections.on(line, run);
+        if (!line.section.empty() && is_irreducible(line.section, field, run)) return line;
     }
     return std::nullopt;
+}
+
+bool holds(const Polynomial& f, std::size_t coordinates, const SectionClaim& claim, base::Run& run) {
+    const std::size_t n = f.ring().variable_count();
+    if (claim.prime >= prime_bound || !algebra::is_prime(claim.prime)) return false;
+    if (claim.base.size() != n || claim.direction.size() != n) return false;
+    const auto too_large = [&](Element value) { return value >= claim.prime; };
+    if (std::ranges::any_of(claim.base, too_large) || std::ranges::any_of(claim.direction, too_large))
+        return false;
+    for (std::size_t i = coordinates; i < n; ++i)
+        if (claim.direction[i] != 0) return false;
+    if (degree_in_coordinates(f, coordinates) >= claim.prime)
+        return false; // the points of interpolation differ
+    const PrimeField field(claim.prime);
+    const Vector section = Sections(f, coordinates, field).on(claim, run);
+    return !section.empty() && section == claim.section && is_irreducible(section, field, run);
 }
 
 } // namespace eliminant::implicit

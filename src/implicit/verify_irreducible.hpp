@@ -4,6 +4,7 @@
 #include "eliminant/algebra/polynomial.hpp"
 #include "eliminant/algebra/prime_field.hpp"
 #include "eliminant/base/run.hpp"
+#include "eliminant/implicit/certificate.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,23 +13,8 @@
 
 namespace eliminant::implicit {
 
-/// A line a + t·b in the space of coordinates and constants modulo a prime; b is zero at the constants.
-struct SectionLine {
-    std::uint64_t prime; ///< below 2^20
-    std::vector<std::uint32_t> base;
-    std::vector<std::uint32_t> direction;
-};
-
-/// The greatest prime that sections are taken at.
-std::uint64_t section_prime();
-
 /// Largest sum of exponents of the first `coordinates` variables.
 std::uint64_t degree_in_coordinates(const algebra::Polynomial& f, std::size_t coordinates);
-
-/// f on the line, monic, coefficients from the constant up; empty if f loses its degree in the coordinates
-/// there.
-std::vector<std::uint32_t> restricted_to(const algebra::Polynomial& f, std::size_t coordinates,
-                                         const SectionLine& line, base::Run& run);
 
 /// Whether a monic polynomial over GF(p), p below 2^20, is irreducible: the test of Ben-Or (1981), that its
 /// gcd with x^(p^k) − x is 1 for k up to half the degree. A polynomial that is not mostly fails for small k.
@@ -41,7 +27,10 @@ bool is_irreducible(const std::vector<std::uint32_t>& f, const algebra::PrimeFie
 /// For an absolutely irreducible f, as the equation of an image of a line, plane or space is, about one line
 /// in deg f will do (its sections have the symmetric group as their monodromy; Chebotarev). nullopt after
 /// forty times as many.
-std::optional<SectionLine> irreducible_section(const algebra::Polynomial& f, std::size_t coordinates,
-                                               base::Run& run);
+std::optional<SectionClaim> irreducible_section(const algebra::Polynomial& f, std::size_t coordinates,
+                                                base::Run& run);
+
+/// Whether f is what is claimed on the line, and irreducible there.
+bool holds(const algebra::Polynomial& f, std::size_t coordinates, const SectionClaim& claim, base::Run& run);
 
 } // namespace eliminant::implicit

@@ -24,7 +24,7 @@ DifferentialRank echelon_rank(std::vector<std::vector<Element>> rows, const Prim
         if (pivot == rows.end()) continue;
         std::swap(*pivot, rows[result.rank]);
         const std::vector<Element>& top = rows[result.rank];
-        result.pivots = field.multiply(result.pivots, top[column]);
+        result.minor = field.multiply(result.minor, top[column]);
         const Element inverse = field.inverse(top[column]);
         for (std::size_t i = result.rank + 1; i < rows.size(); ++i) {
             const Element factor = field.multiply(rows[i][column], inverse);
@@ -38,10 +38,9 @@ DifferentialRank echelon_rank(std::vector<std::vector<Element>> rows, const Prim
 
 } // namespace
 
-std::optional<DifferentialRank> differential_rank(const RationalMap& map, const RankPoint& at,
-                                                  base::Run& run) {
-    const PrimeField field(at.prime);
-    const auto value = [&](const Polynomial& f) { return evaluate(f, field, at.point, run); };
+std::optional<DifferentialRank> differential_rank(const RationalMap& map, const PrimeField& field,
+                                                  std::span<const Element> point, base::Run& run) {
+    const auto value = [&](const Polynomial& f) { return evaluate(f, field, point, run); };
     const Element bottom = value(map.denominator);
     if (bottom == 0) return std::nullopt;
     const std::vector<Polynomial> bottom_gradient = algebra::gradient(map.denominator);
@@ -63,21 +62,41 @@ std::optional<DifferentialRank> differential_rank(const RationalMap& map, const 
     return echelon_rank(std::move(rows), field);
 }
 
-std::optional<RankPoint> point_of_rank(const RationalMap& map, std::size_t rank, base::Run& run) {
+namespace {
+
+bool divides_a_denominator(std::uint64_t p, const RationalMap& map) {
+    return std::ranges::any_of(map.components,
+                               [p](const auto& c) { return c.numerator.denominator().residue(p) == 0; });
+}
+
+} // namespace
+
+std::optional<RankClaim> rank_claim(const RationalMap& map, std::uint64_t rank, base::Run& run) {
     constexpr int attempts = 10;
     algebra::Random random(run.seed());
-    std::uint64_t prime = PrimeField::max_characteristic + 1;
+    RankClaim claim;
+    claim.prime = PrimeField::max_characteristic + 1;
     for (int i = 0; i < attempts; ++i) {
-        prime = algebra::previous_prime(prime);
-        if (std::ranges::any_of(map.components,
-                                [&](const auto& c) { return c.numerator.denominator().residue(prime) == 0; }))
-            continue;
-        RankPoint at{prime, std::vector<Element>(map.ring.variable_count())};
-        for (Element& value : at.point) value = random.below(static_cast<Element>(prime));
-        const std::optional<DifferentialRank> found = differential_rank(map, at, run);
-        if (found && found->rank == rank) return at;
+        claim.prime = algebra::previous_prime(claim.prime);
+        if (divides_a_denominator(claim.prime, map)) continue;
+        claim.point.resize(map.ring.variable_count());
+        for (Element& value : claim.point) value = random.below(static_cast<Element>(claim.prime));
+        const auto found = differential_rank(map, PrimeField(claim.prime), claim.point, run);
+        if (!found || found->rank < rank) continue;
+        claim.rank = found->rank;
+        claim.minor = found->minor;
+        return claim;
     }
     return std::nullopt;
+}
+
+bool holds(const RationalMap& map, const RankClaim& claim, base::Run& run) {
+    if (claim.prime > PrimeField::max_characteristic || !algebra::is_prime(claim.prime)) return false;
+    if (divides_a_denominator(claim.prime, map) || claim.point.size() != map.ring.variable_count())
+        return false;
+    if (std::ranges::any_of(claim.point, [&](Element value) { return value >= claim.prime; })) return false;
+    const auto found = differential_rank(map, PrimeField(claim.prime), claim.point, run);
+    return found && found->rank == claim.rank && found->minor == claim.minor;
 }
 
 } // namespace eliminant::implicit

@@ -1,5 +1,6 @@
 #include "implicit/verify_vanishing.hpp"
 
+#include "base/parallel.hpp"
 #include "implicit/verify_map_modulo.hpp"
 #include "implicit/verify_values.hpp"
 
@@ -70,10 +71,24 @@ mpz_class height_bound(const RationalMap& map, const Polynomial& f, std::uint64_
     return sum;
 }
 
+std::vector<std::uint64_t> primes_above(const RationalMap& map, const mpz_class& height) {
+    std::vector<std::uint64_t> primes;
+    std::uint64_t p = ValuesModulo::prime_bound;
+    for (mpz_class product = 1; product <= height;) {
+        p = algebra::previous_prime(p);
+        const bool divides_denominator = std::ranges::any_of(
+            map.components, [p](const auto& c) { return c.numerator.denominator().residue(p) == 0; });
+        if (divides_denominator) continue;
+        primes.push_back(p);
+        product *= p;
+    }
+    return primes;
+}
+
 /// The points (start + e₁, start + e₂, …) for e in the set L of the bounds, a line of them at a time.
 class Grid {
   public:
-    Grid(const RationalMap& map, const Polynomial& f, const VanishingBounds& bounds, const PrimeField& field,
+    Grid(const RationalMap& map, const Polynomial& f, const VanishingClaim& bounds, const PrimeField& field,
          base::Run& run)
         : map_(map, field), values_(f, field), bounds_(bounds), run_(run),
           inner_(static_cast<std::size_t>(std::ranges::max_element(bounds.degrees) - bounds.degrees.begin())),
@@ -87,7 +102,8 @@ class Grid {
 
   private:
     std::optional<bool> is_zero_from(std::size_t variable, std::uint64_t rest) {
-        if (variable == point_.size()) return is_zero_on_line(point_.empty() ? 0 : std::min(rest, bounds_.degrees[inner_]));
+        if (variable == point_.size())
+            return is_zero_on_line(point_.empty() ? 0 : std::min(rest, bounds_.degrees[inner_]));
         if (variable == inner_) return is_zero_from(variable + 1, rest);
         for (std::uint64_t e = 0; e <= std::min(rest, bounds_.degrees[variable]); ++e) {
             point_[variable] = start_ + static_cast<std::uint32_t>(e);
@@ -116,7 +132,7 @@ class Grid {
 
     MapModulo map_;
     ValuesModulo values_;
-    const VanishingBounds& bounds_;
+    const VanishingClaim& bounds_;
     base::Run& run_;
     std::size_t inner_; ///< the variable that runs along a line
     std::vector<std::uint32_t> point_;
@@ -126,7 +142,7 @@ class Grid {
 
 } // namespace
 
-VanishingBounds vanishing_bounds(const RationalMap& map, const Polynomial& f) {
+VanishingClaim vanishing_claim(const RationalMap& map, const Polynomial& f) {
     std::uint64_t delta = 0;
     for (std::size_t term = 0; term < f.size(); ++term)
         delta = std::max(delta, degree_over_denominator(map, f, term));
@@ -136,35 +152,30 @@ VanishingBounds vanishing_bounds(const RationalMap& map, const Polynomial& f) {
             degrees.push_back(degree_or_zero(degree_of(c.numerator)));
         return greatest_degree(map, f, delta, degrees, degree_or_zero(degree_of(map.denominator)));
     };
-    VanishingBounds bounds;
+    VanishingClaim claim;
     for (std::size_t i = 0; i < map.ring.variable_count(); ++i)
-        bounds.degrees.push_back(bound([i](const Polynomial& g) { return g.degree(i); }));
-    bounds.total_degree = bound([](const Polynomial& g) { return g.total_degree(); });
-    bounds.height = height_bound(map, f, delta);
-    return bounds;
+        claim.degrees.push_back(bound([i](const Polynomial& g) { return g.degree(i); }));
+    claim.total_degree = bound([](const Polynomial& g) { return g.total_degree(); });
+    claim.height = height_bound(map, f, delta);
+    claim.primes = primes_above(map, claim.height);
+    return claim;
 }
 
-std::vector<std::uint64_t> vanishing_primes(const RationalMap& map, const mpz_class& height) {
-    std::vector<std::uint64_t> primes;
-    std::uint64_t p = ValuesModulo::prime_bound;
-    for (mpz_class product = 1; product <= height;) {
-        p = algebra::previous_prime(p);
-        const bool divides_denominator = std::ranges::any_of(
-            map.components, [p](const auto& c) { return c.numerator.denominator().residue(p) == 0; });
-        if (divides_denominator) continue;
-        primes.push_back(p);
-        product *= p;
-    }
-    return primes;
-}
-
-bool vanishes_modulo(const RationalMap& map, const Polynomial& f, const VanishingBounds& bounds,
+bool vanishes_modulo(const RationalMap& map, const Polynomial& f, const VanishingClaim& bounds,
                      const PrimeField& field, base::Run& run) {
     Grid grid(map, f, bounds, field, run);
     // A denominator that is zero at a point of one grid is not so on most others: it has few zeros.
     for (std::uint32_t start = 1000;;
          start = static_cast<std::uint32_t>(start * std::uint64_t{48271} % 1000000007))
         if (const std::optional<bool> zero = grid.is_zero(start)) return *zero;
+}
+
+bool vanishes(const RationalMap& map, const Polynomial& f, const VanishingClaim& claim, base::Run& run) {
+    std::vector<char> zero(claim.primes.size(), 0);
+    base::parallel_for(run, zero.size(), [&](std::size_t i, std::size_t) {
+        zero[i] = vanishes_modulo(map, f, claim, PrimeField(claim.primes[i]), run) ? 1 : 0;
+    });
+    return std::ranges::find(zero, 0) == zero.end();
 }
 
 } // namespace eliminant::implicit

@@ -14,7 +14,7 @@ TEST(CommandLine, HelpGoesToStandardOutput) {
         const ProcessResult result = run({option});
         EXPECT_EQ(result.status, 0);
         EXPECT_EQ(result.errors, "");
-        for (const char* command : {"implicitize", "groebner", "divide", "eliminate", "ideal"})
+        for (const char* command : {"implicitize", "verify", "groebner", "divide", "eliminate", "ideal"})
             EXPECT_NE(result.output.find(command), std::string::npos) << command;
     }
     EXPECT_EQ(run({"help"}).output, run({"--help"}).output);
@@ -33,7 +33,8 @@ std::vector<std::string> examples_in(const std::string& help) {
 TEST(CommandLine, EveryExampleInTheHelpWorksWhenPasted) {
     const std::string directory = std::filesystem::path(ELIMINANT_PROGRAM).parent_path().string();
     const std::string path = directory + ":" + std::getenv("PATH");
-    for (const std::string command : {"", "implicitize", "groebner", "divide", "eliminate", "ideal"}) {
+    for (const std::string command :
+         {"", "implicitize", "verify", "groebner", "divide", "eliminate", "ideal"}) {
         const ProcessResult help = command.empty() ? run({"--help"}) : run({command, "--help"});
         EXPECT_EQ(help.status, 0);
         EXPECT_EQ(help.output.rfind("Usage: eliminant", 0), 0U);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "eliminant/groebner/buchberger.hpp"
+#include "eliminant/implicit/certificate.hpp"
 #include "eliminant/implicit/parametrization.hpp"
 
 #include <cstddef>
@@ -73,6 +74,9 @@ struct ImplicitResult {
     /// What holds of most answers and is easily forgotten, a sentence each: that a closure may be larger than
     /// an image.
     std::vector<std::string> notes = {};
+    /// What the proof of a hypersurface is made of, if the method came with one; certify() makes a
+    /// certificate of any result.
+    std::optional<Claims> claims = {};
     std::string choice = {}; ///< Why this method, and what it did, where there is something to say.
 };
 
