@@ -59,6 +59,7 @@ class StoreBatchReducer final : public BatchReducer {
     }
 
     void begin() {
+        if (store_.rows_size() > std::max(rows_limit, 4 * last_entries_)) store_.forget_rows();
         if (store_.is_large() || ++round_ == 0) {
             store_.clear();
             seen_in_.clear();
@@ -133,6 +134,9 @@ class StoreBatchReducer final : public BatchReducer {
         column_of_.resize(store_.size());
         for (std::size_t c = 0; c < monomials_.size(); ++c) column_of_[monomials_[c]] = static_cast<Index>(c);
         MacaulayMatrix matrix(field_, monomials_.size());
+        last_entries_ = wanted_indices_.size();
+        for (const PivotRow& pivot : pivots_) last_entries_ += basis_[pivot.element].terms.size();
+        matrix.reserve(last_entries_);
         for (const PivotRow& pivot : pivots_) {
             to_columns(store_.row(pivot.lead, pivot.element),
                        matrix.add_pivot(basis_[pivot.element].terms.coefficients));
@@ -211,6 +215,10 @@ class StoreBatchReducer final : public BatchReducer {
         round.column_count = count;
     }
 
+    /// Indices in stored rows that are not many. Beyond, they are forgotten when most belong to matrices of
+    /// the past: cyclic-8 makes 60 small matrices and would keep twice the memory that it needs.
+    static constexpr std::size_t rows_limit = std::size_t{1} << 20;
+
     algebra::PrimeField field_;
     const Basis<Element>& basis_;
     const MonomialLayout& layout_;
@@ -226,6 +234,7 @@ class StoreBatchReducer final : public BatchReducer {
     std::vector<WantedRow> wanted_;
     std::vector<Index> wanted_indices_;
     std::vector<PivotRow> pivots_;
+    std::size_t last_entries_ = 0; ///< of the last matrix
     std::vector<Word> multiplier_;
 };
 

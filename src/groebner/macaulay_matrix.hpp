@@ -28,6 +28,8 @@ class MacaulayMatrix {
     MacaulayMatrix(const algebra::PrimeField& field, std::size_t columns)
         : field_(field), columns_(columns) {}
 
+    /// Tells how many entries there will be, which saves memory.
+    void reserve(std::size_t entries) { pool_.reserve(entries); }
     /// Room for the columns of a row with the coefficients given (one or more), to be filled in before
     /// echelon(). A pivot is monic, and no two have the same leading column. The room is valid until the next
     /// row is added.

@@ -3,8 +3,10 @@
 #include "basis.hpp"
 #include "monomial_table.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,8 +20,8 @@ namespace eliminant::groebner {
 /// s instead of 0.30).
 ///
 ///     table        monomial ↔ index
-///     knowledge_   per index: reducer, elements checked, mask, where its row begins
-///     rows_        | indices of (m/lm g)·g, leading one first | … |
+///     knowledge_   per index: reducer, elements checked, mask, its row
+///     chunks_      | indices of (m/lm g)·g, leading one first | … |      they grow without being moved
 template <class Element, std::size_t Words>
 class RowStore {
   public:
@@ -42,13 +44,9 @@ class RowStore {
     /// Appends the indices of multiplier·f. Throws LayoutTooNarrow if a product does not fit.
     void product(const Word* multiplier, const BasisElement<Element>& f, std::vector<Index>& indices) {
         if (!layout_.multiply(multiplier, f.field_maxima.data(), bound_.data())) throw LayoutTooNarrow{};
-        const std::uint64_t multiplier_hash = table_.hash(multiplier);
-        const TermList<Element>& terms = f.terms;
-        for (std::size_t t = 0; t < terms.size(); ++t) {
-            const Word* m = terms.monomials.data() + t * words();
-            indices.push_back(table_.product(multiplier, m, multiplier_hash + table_.hash(m)));
-        }
-        knowledge_.resize(table_.size());
+        const std::size_t begin = indices.size();
+        indices.resize(begin + f.terms.size());
+        enter_product(multiplier, f.terms, indices.data() + begin);
     }
 
     /// The element to reduce a monomial by, or none. Elements checked before are not looked at again.
@@ -76,33 +74,65 @@ class RowStore {
         const BasisElement<Element>& g = basis_[k];
         if (knowledge_[top].row_stamp != g.stamp) {
             layout_.divide(table_.monomial(top), basis_.lead(k), multiplier_.data());
-            const std::size_t begin = rows_.size();
-            product(multiplier_.data(), g, rows_);
+            if (!layout_.multiply(multiplier_.data(), g.field_maxima.data(), bound_.data()))
+                throw LayoutTooNarrow{};
+            Index* room = allocate(g.terms.size());
+            enter_product(multiplier_.data(), g.terms, room);
             knowledge_[top].row_stamp = g.stamp;
-            knowledge_[top].row_begin = begin;
+            knowledge_[top].row = room;
         }
-        return {rows_.data() + knowledge_[top].row_begin, g.terms.size()};
+        return {knowledge_[top].row, g.terms.size()};
     }
 
     /// Whether it has outgrown some hundred megabytes. It may be cleared whenever no index is held.
-    bool is_large() const { return table_.size() > monomial_limit || rows_.size() > index_limit; }
+    bool is_large() const { return table_.size() > monomial_limit || rows_size_ > index_limit; }
     void clear() {
         table_.clear();
         knowledge_.clear();
-        rows_.clear();
+        forget_rows();
+    }
+    /// Number of indices in the rows stored.
+    std::size_t rows_size() const { return rows_size_; }
+    /// Frees the rows. Indices and what is known of reducers stay.
+    void forget_rows() {
+        for (Knowledge& known : knowledge_) known.row_stamp = 0;
+        chunks_.clear();
+        room_ = {};
+        rows_size_ = 0;
     }
 
   private:
     static constexpr std::size_t monomial_limit = std::size_t{1} << 22;
     static constexpr std::size_t index_limit = std::size_t{1} << 26;
+    static constexpr std::size_t chunk_size = std::size_t{1} << 16;
 
     struct Knowledge {
         std::uint32_t reducer = none; ///< best element among those checked whose leading monomial divides it
         std::uint32_t checked = 0;    ///< number of elements that were checked
         std::uint64_t mask = 0;
         std::uint32_t row_stamp = 0; ///< of the element whose multiple is stored as a row
-        std::uint64_t row_begin = 0; ///< where in rows_
+        const Index* row = nullptr;  ///< in chunks_
     };
+
+    void enter_product(const Word* multiplier, const TermList<Element>& terms, Index* indices) {
+        const std::uint64_t multiplier_hash = table_.hash(multiplier);
+        for (std::size_t t = 0; t < terms.size(); ++t) {
+            const Word* m = terms.monomials.data() + t * words();
+            indices[t] = table_.product(multiplier, m, multiplier_hash + table_.hash(m));
+        }
+        knowledge_.resize(table_.size());
+    }
+
+    Index* allocate(std::size_t size) {
+        if (room_.size() < size) {
+            const std::size_t chunk = std::max(size, chunk_size);
+            room_ = {chunks_.emplace_back(std::make_unique_for_overwrite<Index[]>(chunk)).get(), chunk};
+        }
+        Index* result = room_.data();
+        room_ = room_.subspan(size);
+        rows_size_ += size;
+        return result;
+    }
 
     /// A reducer that does not raise the sugar comes first: on cyclic-6 over ℚ that alone is a factor of
     /// five, as the elements that are in the end redundant have the long coefficients.
@@ -114,7 +144,9 @@ class RowStore {
     const MonomialLayout& layout_;
     MonomialTable<Words> table_;
     std::vector<Knowledge> knowledge_; ///< parallel to the table
-    std::vector<Index> rows_;
+    std::vector<std::unique_ptr<Index[]>> chunks_;
+    std::span<Index> room_; ///< at the end of the last chunk
+    std::size_t rows_size_ = 0;
     std::vector<Word> multiplier_;
     std::vector<Word> bound_;
     std::vector<Word> one_;
