@@ -195,7 +195,7 @@ class Computation {
         reduce_tails(minimal);
         for (const std::size_t i : minimal)
             result_.elements.push_back(
-                algebra::Polynomial::from_terms(ring_, basis_[i].terms).primitive_part());
+                algebra::Polynomial::from_terms(ring_, basis_.take_terms(i)).primitive_part());
         return std::move(result_);
     }
 

@@ -133,16 +133,25 @@ class StoreBatchReducer final : public BatchReducer {
         });
         column_of_.resize(store_.size());
         for (std::size_t c = 0; c < monomials_.size(); ++c) column_of_[monomials_[c]] = static_cast<Index>(c);
+        // Indices become columns: in place for the rows wanted, in a copy for pivots, whose rows are kept.
+        to_columns(wanted_indices_, wanted_indices_);
+        std::size_t entries = 0;
+        for (const PivotRow& pivot : pivots_) entries += basis_[pivot.element].terms.size();
+        pivot_columns_.resize(entries);
+        last_entries_ = entries + wanted_indices_.size();
         MacaulayMatrix matrix(field_, monomials_.size());
-        last_entries_ = wanted_indices_.size();
-        for (const PivotRow& pivot : pivots_) last_entries_ += basis_[pivot.element].terms.size();
-        matrix.reserve(last_entries_);
+        std::size_t begin = 0;
         for (const PivotRow& pivot : pivots_) {
-            to_columns(store_.row(pivot.lead, pivot.element),
-                       matrix.add_pivot(basis_[pivot.element].terms.coefficients));
+            const std::span<const Index> indices = store_.row(pivot.lead, pivot.element);
+            Index* columns = pivot_columns_.data() + begin;
+            to_columns(indices, {columns, indices.size()});
+            matrix.add_pivot({columns, basis_[pivot.element].terms.coefficients.data(), indices.size()});
+            begin += indices.size();
         }
-        for (const WantedRow& row : wanted_)
-            to_columns(indices_of(row), matrix.add_row(row.element->terms.coefficients));
+        for (const WantedRow& row : wanted_) {
+            const auto& coefficients = row.element->terms.coefficients;
+            matrix.add_row({wanted_indices_.data() + row.begin, coefficients.data(), coefficients.size()});
+        }
         MacaulayMatrix::Transcript transcript;
         MacaulayMatrix::EchelonOptions options;
         if (record)
@@ -159,10 +168,6 @@ class StoreBatchReducer final : public BatchReducer {
         batch.columns = matrix.column_count();
         for (const MacaulayMatrix::Row& row : found) batch.found.push_back(terms_of(row));
         return batch;
-    }
-
-    std::span<const Index> indices_of(const WantedRow& row) const {
-        return {wanted_indices_.data() + row.begin, row.element->terms.coefficients.size()};
     }
 
     void to_columns(std::span<const Index> indices, std::span<MacaulayMatrix::Column> columns) const {
@@ -183,18 +188,21 @@ class StoreBatchReducer final : public BatchReducer {
                      std::span<const MacaulayMatrix::Row> found) {
         F4Round round;
         const auto append = [&](std::vector<F4Round::Row>& rows, std::uint32_t operand_number,
-                                std::span<const Index> indices) {
-            const std::size_t begin = round.columns_of_rows.size();
-            rows.push_back({operand_number, begin});
-            round.columns_of_rows.resize(begin + indices.size());
-            to_columns(indices, std::span(round.columns_of_rows).subspan(begin));
+                                std::span<const MacaulayMatrix::Column> columns) {
+            rows.push_back({operand_number, round.columns_of_rows.size()});
+            round.columns_of_rows.insert(round.columns_of_rows.end(), columns.begin(), columns.end());
         };
+        std::size_t begin = 0;
         for (const PivotRow& pivot : pivots_) {
-            if (transcript.pivots[column_of_[pivot.lead]])
-                append(round.pivots, operand(pivot.element), store_.row(pivot.lead, pivot.element));
+            const std::size_t size = basis_[pivot.element].terms.size();
+            const std::span columns(pivot_columns_.data() + begin, size);
+            if (transcript.pivots[columns[0]]) append(round.pivots, operand(pivot.element), columns);
+            begin += size;
         }
-        for (const std::size_t i : transcript.rows)
-            append(round.rows, wanted_[i].operand, indices_of(wanted_[i]));
+        for (const std::size_t i : transcript.rows) {
+            const WantedRow& row = wanted_[i];
+            append(round.rows, row.operand, {wanted_indices_.data() + row.begin, row.element->terms.size()});
+        }
         for (const MacaulayMatrix::Row& row : found) {
             round.support.insert(round.support.end(), row.columns.begin(), row.columns.end());
             round.found.push_back(round.support.size());
@@ -232,8 +240,9 @@ class StoreBatchReducer final : public BatchReducer {
     std::vector<Index> monomials_;       ///< seen in this round: the columns
     std::size_t heads_ = 0;              ///< so many of them, the first, are not to be reduced
     std::vector<WantedRow> wanted_;
-    std::vector<Index> wanted_indices_;
+    std::vector<Index> wanted_indices_; ///< columns, once those are numbered
     std::vector<PivotRow> pivots_;
+    std::vector<Index> pivot_columns_;
     std::size_t last_entries_ = 0; ///< of the last matrix
     std::vector<Word> multiplier_;
 };

@@ -66,6 +66,7 @@ void F4Computation::reduce_tails(std::span<const std::size_t> minimal) {
         [&] { batch = batch_reducer().reduce_tails(minimal, rounds_ ? &record : nullptr); })) {
     }
     if (rounds_) rounds_->push_back(std::move(record));
+    batch_reducer_.reset(); // it was the last matrix: its memory is of use for the result
     // Found in descending sequence, one for each.
     for (std::size_t i = 0; i < minimal.size(); ++i)
         basis_.replace(minimal[minimal.size() - 1 - i], std::move(batch.found[i]), 0);

@@ -11,21 +11,6 @@
 
 namespace eliminant::groebner {
 
-std::span<MacaulayMatrix::Column> MacaulayMatrix::add(std::vector<Reference>& rows,
-                                                      std::span<const Element> coefficients) {
-    rows.push_back({pool_.size(), coefficients});
-    pool_.resize(pool_.size() + coefficients.size());
-    return std::span(pool_).last(coefficients.size());
-}
-
-std::span<MacaulayMatrix::Column> MacaulayMatrix::add_pivot(std::span<const Element> coefficients) {
-    return add(pivots_, coefficients);
-}
-
-std::span<MacaulayMatrix::Column> MacaulayMatrix::add_row(std::span<const Element> coefficients) {
-    return add(rows_, coefficients);
-}
-
 /// One elimination. Rows are reduced in packs of eight, a lane each; packs in *waves*: those of a wave are
 /// reduced at the same time by the pivots known when it began, then one after the other by those that the
 /// wave itself has found meanwhile.
@@ -39,10 +24,7 @@ class Elimination {
         : matrix_(matrix), options_(options), run_(run), transcript_(options.transcript),
           kernels_(lane_kernels(options.unit)), primes_(same_in_all_lanes(matrix.field_)),
           by_column_(matrix.columns_), workers_(run.threads()), random_(options.seed) {
-        for (const MacaulayMatrix::Reference& reference : matrix.pivots_) {
-            const SparseRow<Element> pivot = matrix.row(reference);
-            by_column_[pivot.columns[0]] = pivot;
-        }
+        for (const SparseRow<Element>& pivot : matrix.pivots_) by_column_[pivot.columns[0]] = pivot;
         if (transcript_) transcript_->pivots.assign(matrix.columns_, false);
     }
 
@@ -140,7 +122,7 @@ class Elimination {
             const std::size_t first = begin + i * lane_count;
             const std::size_t size = std::min(lane_count, end - first);
             for (std::size_t lane = 0; lane < size; ++lane)
-                scatter(matrix_.row(matrix_.rows_[first + lane]), lane, w.dense);
+                scatter(matrix_.rows_[first + lane], lane, w.dense);
             return first_column(first, first + size);
         });
         run_.report([&] { return progress(end); });
@@ -168,7 +150,7 @@ class Elimination {
                     if (r % 16 == 0) run_.poll();
                     LaneEntry factor;
                     for (std::uint32_t& x : factor.lane) x = matrix_.field_.reduce(random());
-                    kernels_.subtract_row(primes_, factor, matrix_.row(matrix_.rows_[r]), w.dense.data());
+                    kernels_.subtract_row(primes_, factor, matrix_.rows_[r], w.dense.data());
                 }
                 return first_column(begin, end);
             });
@@ -186,7 +168,7 @@ class Elimination {
     std::size_t first_column(std::size_t begin_row, std::size_t end_row) const {
         std::size_t first = matrix_.columns_;
         for (std::size_t r = begin_row; r < end_row; ++r)
-            first = std::min<std::size_t>(first, matrix_.row(matrix_.rows_[r]).columns[0]);
+            first = std::min<std::size_t>(first, matrix_.rows_[r].columns[0]);
         return first;
     }
 

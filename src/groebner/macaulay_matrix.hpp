@@ -19,7 +19,8 @@ namespace eliminant::groebner {
 ///             [   1 * * *    |  * * ]     they come
 ///     rows    [ * * * * *    |  * * ]     to be reduced by the pivots, then by one another
 ///
-/// Coefficients belong to the caller and are shared by all multiples of an element; columns are ascending.
+/// Columns are ascending. They belong to the caller, as do the coefficients, which all multiples of an
+/// element share.
 class MacaulayMatrix {
   public:
     using Element = std::uint32_t;
@@ -28,17 +29,14 @@ class MacaulayMatrix {
     MacaulayMatrix(const algebra::PrimeField& field, std::size_t columns)
         : field_(field), columns_(columns) {}
 
-    /// Tells how many entries there will be, which saves memory.
-    void reserve(std::size_t entries) { pool_.reserve(entries); }
-    /// Room for the columns of a row with the coefficients given (one or more), to be filled in before
-    /// echelon(). A pivot is monic, and no two have the same leading column. The room is valid until the next
-    /// row is added.
-    std::span<Column> add_pivot(std::span<const Element> coefficients);
-    std::span<Column> add_row(std::span<const Element> coefficients);
+    /// Adds a row with one or more entries. A pivot is monic, and no two have the same leading column. What
+    /// the row refers to must live as long as the matrix.
+    void add_pivot(const SparseRow<Element>& row) { add(pivots_, row); }
+    void add_row(const SparseRow<Element>& row) { add(rows_, row); }
 
     std::size_t row_count() const { return pivots_.size() + rows_.size(); }
     std::size_t column_count() const { return columns_; }
-    std::size_t entry_count() const { return pool_.size(); }
+    std::size_t entry_count() const { return entries_; }
 
     struct Row {
         std::vector<Column> columns;
@@ -74,20 +72,16 @@ class MacaulayMatrix {
   private:
     friend class Elimination;
 
-    struct Reference { ///< to columns in pool_
-        std::size_t begin;
-        std::span<const Element> coefficients;
-    };
-    std::span<Column> add(std::vector<Reference>& rows, std::span<const Element> coefficients);
-    SparseRow<Element> row(const Reference& reference) const {
-        return {pool_.data() + reference.begin, reference.coefficients.data(), reference.coefficients.size()};
+    void add(std::vector<SparseRow<Element>>& rows, const SparseRow<Element>& row) {
+        rows.push_back(row);
+        entries_ += row.size;
     }
 
     algebra::PrimeField field_;
     std::size_t columns_;
-    std::vector<Column> pool_;
-    std::vector<Reference> pivots_;
-    std::vector<Reference> rows_;
+    std::size_t entries_ = 0;
+    std::vector<SparseRow<Element>> pivots_;
+    std::vector<SparseRow<Element>> rows_;
 };
 
 } // namespace eliminant::groebner

@@ -49,7 +49,7 @@ struct RandomMatrix {
     std::vector<bool> is_pivot; ///< per column
     Dense pivots;
     Dense rows;
-    std::vector<std::vector<std::uint32_t>> storage; ///< coefficients that the matrix refers to
+    std::vector<std::vector<std::uint32_t>> storage; ///< columns and coefficients of its rows
     groebner::MacaulayMatrix matrix;
 
     RandomMatrix(std::uint64_t p, std::size_t column_count, std::size_t pivot_count, std::size_t row_count,
@@ -58,7 +58,7 @@ struct RandomMatrix {
         std::vector<std::size_t> leads(columns);
         for (std::size_t c = 0; c < columns; ++c) leads[c] = c;
         std::ranges::shuffle(leads, random);
-        storage.reserve(pivot_count + row_count);
+        storage.reserve(2 * (pivot_count + row_count));
         const auto random_row = [&](std::size_t lead) {
             std::vector<std::uint32_t> row(columns, 0);
             for (std::size_t c = lead; c < columns; ++c)
@@ -87,15 +87,18 @@ struct RandomMatrix {
     RandomMatrix& operator=(const RandomMatrix&) = delete;
 
     void add(const std::vector<std::uint32_t>& row, bool pivot) {
-        std::vector<std::uint32_t> at;
-        auto& coefficients = storage.emplace_back();
+        std::vector<std::uint32_t>& at = storage.emplace_back();
+        std::vector<std::uint32_t>& coefficients = storage.emplace_back();
         for (std::uint32_t c = 0; c < columns; ++c) {
             if (row[c] == 0) continue;
             at.push_back(c);
             coefficients.push_back(row[c]);
         }
-        std::ranges::copy(at,
-                          (pivot ? matrix.add_pivot(coefficients) : matrix.add_row(coefficients)).begin());
+        const groebner::SparseRow<std::uint32_t> sparse{at.data(), coefficients.data(), at.size()};
+        if (pivot)
+            matrix.add_pivot(sparse);
+        else
+            matrix.add_row(sparse);
     }
 };
 
