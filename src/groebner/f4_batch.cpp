@@ -159,14 +159,15 @@ class StoreBatchReducer final : public BatchReducer {
         else
             options.combine = combine_;
         options.seed = run_.seed() + round_;
-        const auto [found, failure_bound] = matrix.echelon(options, run_);
+        auto [found, failure_bound] = matrix.echelon(options, run_);
         if (record) *record = recorded(transcript, found);
         Batch batch;
         batch.failure_bound = failure_bound;
         batch.entries = matrix.entry_count();
         batch.rows = matrix.row_count();
         batch.columns = matrix.column_count();
-        for (const MacaulayMatrix::Row& row : found) batch.found.push_back(terms_of(row));
+        batch.found.reserve(found.size());
+        for (MacaulayMatrix::Row& row : found) batch.found.push_back(terms_of(std::exchange(row, {})));
         return batch;
     }
 
@@ -174,13 +175,12 @@ class StoreBatchReducer final : public BatchReducer {
         std::ranges::transform(indices, columns.begin(), [this](Index i) { return column_of_[i]; });
     }
 
-    TermList<Element> terms_of(const MacaulayMatrix::Row& row) const {
+    TermList<Element> terms_of(MacaulayMatrix::Row row) const {
         TermList<Element> terms(layout_);
-        for (const MacaulayMatrix::Column c : row.columns) {
-            const Word* m = store_.monomial(monomials_[c]);
-            terms.monomials.insert(terms.monomials.end(), m, m + store_.words());
-        }
-        terms.coefficients = row.coefficients;
+        terms.monomials.resize(row.columns.size() * store_.words());
+        for (std::size_t i = 0; i < row.columns.size(); ++i)
+            std::copy_n(store_.monomial(monomials_[row.columns[i]]), store_.words(), terms.monomial(i));
+        terms.coefficients = std::move(row.coefficients);
         return terms;
     }
 
