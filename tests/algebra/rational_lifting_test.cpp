@@ -256,6 +256,18 @@ TEST(RationalLifting, DropsVectorsThatAnotherPrimeContradicts) {
     vectors.expect_found(lifting);
 }
 
+TEST(RationalLifting, IsNotMisledForLongByAProductOfItsPrimes) {
+    const auto primes = primes_below(1U << 31, 30);
+    // 1 modulo each of the first 20 primes.
+    Case vectors{{1}, {{product({primes.begin(), primes.begin() + 20}) + 1}}};
+    base::Run run;
+    RationalLifting lifting(vectors.sizes());
+    for (std::size_t i = 0; i < 29; ++i) lifting.add(primes[i], vectors.residues(primes[i]));
+    if (lifting.lift(run) && lifting.agrees(primes[29], vectors.residues(primes[29]), run)) return;
+    ASSERT_TRUE(lifting.lift(run));
+    vectors.expect_found(lifting);
+}
+
 TEST(RationalLifting, StopsWhenAskedTo) {
     const Case vectors = random_case(3);
     base::Run run;

@@ -1,0 +1,154 @@
+#include "modular_basis.hpp"
+
+#include "eliminant/algebra/arithmetic.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace eliminant::groebner {
+
+using algebra::Integer;
+using algebra::Polynomial;
+using algebra::Ring;
+
+namespace {
+
+std::vector<std::size_t> sizes_of(const std::vector<Polynomial>& polynomials) {
+    std::vector<std::size_t> sizes;
+    for (const Polynomial& f : polynomials) sizes.push_back(f.size());
+    return sizes;
+}
+
+std::vector<std::uint32_t> residues_of(const std::vector<Polynomial>& basis) {
+    std::vector<std::uint32_t> residues;
+    for (const Polynomial& f : basis) {
+        const auto& coefficients = f.residue_terms().coefficients;
+        residues.insert(residues.end(), coefficients.begin(), coefficients.end());
+    }
+    return residues;
+}
+
+bool agrees(const F4Trace::Image& image) { return image.replay == Replay::agrees; }
+
+std::size_t count(const std::vector<F4Trace::Image>& images, Replay outcome) {
+    return static_cast<std::size_t>(std::ranges::count(images, outcome, &F4Trace::Image::replay));
+}
+
+/// Whether the images speak against the learned prime.
+bool are_suspicious(const std::vector<F4Trace::Image>& images) {
+    return count(images, Replay::leads_differ) > count(images, Replay::agrees) ||
+           count(images, Replay::support_differs) > 0;
+}
+
+bool have_same_leads(const F4Trace& a, const F4Trace& b) {
+    return std::ranges::equal(a.basis().elements, b.basis().elements, [](const auto& f, const auto& g) {
+        return f.leading_monomial().exponents() == g.leading_monomial().exponents();
+    });
+}
+
+/// Whether a prime taught more than another one, given the images of the same primes by both: more monomials
+/// (a coefficient that is 0 modulo some primes need not be 0), else what more primes agree with.
+bool is_better(const F4Trace& a, const std::vector<F4Trace::Image>& images_by_a, const F4Trace& b,
+               const std::vector<F4Trace::Image>& images_by_b) {
+    if (have_same_leads(a, b) && a.coefficient_count() != b.coefficient_count())
+        return a.coefficient_count() > b.coefficient_count();
+    return count(images_by_a, Replay::agrees) > count(images_by_b, Replay::agrees);
+}
+
+/// The polynomial with the monomials of f, whose ring differs from `ring` in the field only.
+Polynomial with_coefficients(const Polynomial& f, const Ring& ring,
+                             const std::vector<Integer>& coefficients) {
+    algebra::IntegerTerms terms(ring.layout(f.layout().bits()));
+    terms.reserve(coefficients.size());
+    for (std::size_t i = 0; i < coefficients.size(); ++i) {
+        if (!coefficients[i].is_zero()) terms.push_back(f.packed_monomial(i), coefficients[i]);
+    }
+    return Polynomial::from_terms(ring, std::move(terms));
+}
+
+} // namespace
+
+ModularBasis::Attempt::Attempt(F4Trace learned)
+    : trace(std::move(learned)), lifting(sizes_of(trace.basis().elements)) {
+    lifting.add(trace.prime(), residues_of(trace.basis().elements));
+}
+
+ModularBasis::ModularBasis(const Ring& ring, std::span<const Polynomial> generators,
+                           const BuchbergerOptions& options, PrimeSequence primes, base::Run& run)
+    : ring_(ring), generators_(generators.begin(), generators.end()), options_(options),
+      primes_(std::move(primes)), run_(run) {}
+
+ModularBasis::Attempt ModularBasis::learn() {
+    for (;;) {
+        ++primes_used_;
+        if (auto trace = F4Trace::learn(ring_, generators_, primes_.next(), options_, run_))
+            return Attempt(std::move(*trace));
+    }
+}
+
+/// Replays modulo more primes; the number grows in proportion to those there are.
+void ModularBasis::add_batch() {
+    const std::size_t per_round = lane_count * run_.threads();
+    const std::size_t known = attempt_->lifting.prime_count();
+    std::vector<std::uint32_t> primes(per_round * (1 + known / (8 * per_round)));
+    for (std::uint32_t& p : primes) p = primes_.next();
+    primes_used_ += primes.size();
+    Images images = attempt_->trace.replay(primes, run_);
+    if (are_suspicious(images)) {
+        Attempt other = learn();
+        Images others = other.trace.replay(primes, run_);
+        if (is_better(other.trace, others, attempt_->trace, images)) {
+            attempt_ = std::move(other);
+            witness_.reset();
+            images = std::move(others);
+        }
+    }
+    for (F4Trace::Image& image : images) {
+        if (!agrees(image)) continue;
+        if (witness_) attempt_->lifting.add(witness_->prime, std::move(witness_->coefficients));
+        witness_ = std::move(image);
+    }
+}
+
+bool ModularBasis::agrees_with_witness() {
+    return witness_ && attempt_->lifting.agrees(witness_->prime, witness_->coefficients, run_);
+}
+
+bool ModularBasis::generators_reduce_to_zero() const {
+    const Ring image_ring = ring_.with_field(algebra::CoefficientField::prime(witness_->prime));
+    std::vector<Polynomial> basis;
+    for (const Polynomial& g : polynomials()) basis.push_back(g.in_ring(image_ring));
+    return std::ranges::all_of(generators_, [&](const Polynomial& f) {
+        return normal_form(f.primitive_part().in_ring(image_ring), basis, run_).is_zero();
+    });
+}
+
+std::vector<Polynomial> ModularBasis::polynomials() const {
+    std::vector<Polynomial> result;
+    const std::vector<Polynomial>& learned = attempt_->trace.basis().elements;
+    for (std::size_t i = 0; i < learned.size(); ++i)
+        result.push_back(with_coefficients(learned[i], ring_, attempt_->lifting.vectors()[i].numerators));
+    return result;
+}
+
+std::vector<Polynomial> ModularBasis::find() {
+    if (!attempt_) begin();
+    for (;;) {
+        add_batch();
+        run_.report([this] {
+            return base::Progress{"lifting", attempt_->lifting.prime_count(), 0,
+                                  std::to_string(attempt_->lifting.entry_count()) + " coefficients"};
+        });
+        if (!attempt_->lifting.lift(run_) || !agrees_with_witness()) continue;
+        if (generators_reduce_to_zero()) return polynomials();
+        begin(); // modulo the learned prime a generator was superfluous that is not
+    }
+}
+
+void ModularBasis::begin() {
+    attempt_ = learn();
+    witness_.reset();
+}
+
+} // namespace eliminant::groebner

@@ -1,0 +1,67 @@
+// Bases over ℚ by F4 modulo many primes.
+#pragma once
+
+#include "f4_trace.hpp"
+#include "prime_sequence.hpp"
+
+#include "algebra/rational_lifting.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace eliminant::groebner {
+
+/// A basis over ℚ that its images modulo primes determine, without a proof that it is the right one: F4 is
+/// learned modulo one prime and replayed modulo others, eight at a time (F4Trace), until the coefficients are
+/// found as fractions (algebra::RationalLifting).
+///
+/// Bad primes. One that divides a coefficient of the input is skipped. One modulo which other leading
+/// monomials, or other monomials, come out than were learned does not count. If most do not agree with what
+/// was learned, or one has monomials that were not, the learned prime is the suspect: the same primes are
+/// tried with what another prime teaches. A learned prime modulo which an S-polynomial vanishes by accident
+/// can go unnoticed here, as the replays leave that S-polynomial out; see find().
+class ModularBasis {
+  public:
+    /// Refers to `run`. The generators are of `ring`, which is over ℚ.
+    ModularBasis(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
+                 const BuchbergerOptions& options, PrimeSequence primes, base::Run& run);
+
+    /// The basis that passes this test: its residues are those of the replay modulo one more prime, and
+    /// modulo that prime the generators reduce to zero by it. No theorem bounds the probability that it is
+    /// wrong.
+    std::vector<algebra::Polynomial> find();
+
+    /// The F4 computation that was repeated; after find().
+    const F4Trace& trace() const { return attempt_->trace; }
+    /// The number of primes whose images were made, those of bad ones too.
+    std::size_t primes_used() const { return primes_used_; }
+
+  private:
+    using Images = std::vector<F4Trace::Image>;
+
+    struct Attempt {
+        explicit Attempt(F4Trace learned);
+        F4Trace trace;
+        algebra::RationalLifting lifting;
+    };
+
+    void begin();
+    Attempt learn();
+    void add_batch();
+    bool agrees_with_witness();
+    bool generators_reduce_to_zero() const;
+    std::vector<algebra::Polynomial> polynomials() const;
+
+    algebra::Ring ring_;
+    std::vector<algebra::Polynomial> generators_;
+    BuchbergerOptions options_;
+    PrimeSequence primes_;
+    base::Run& run_;
+    std::optional<Attempt> attempt_;
+    std::optional<F4Trace::Image> witness_; ///< the image of the prime that is kept for the test
+    std::size_t primes_used_ = 0;
+};
+
+} // namespace eliminant::groebner
