@@ -4,15 +4,11 @@
 #include "results.hpp"
 #include "systems.hpp"
 
-#include "eliminant/groebner/buchberger.hpp"
-#include "eliminant/groebner/f4.hpp"
+#include "eliminant/groebner/groebner_basis.hpp"
 
 namespace eliminant::app {
 
 namespace {
-
-enum class Algorithm { automatic, buchberger, f4 };
-enum class Assurance { proved, probable };
 
 /// Rows and columns, null where no matrix was made.
 Json largest_matrix(const groebner::Statistics& statistics) {
@@ -38,7 +34,7 @@ Json statistics_fields(const groebner::Statistics& statistics, double seconds) {
             {"matrices", statistics.matrices},
             {"largest_matrix", largest_matrix(statistics)},
             {"largest_matrix_density", largest_matrix_density(statistics)},
-            {"primes_used", 0}, // the prime of Buchberger's first pass over QQ leaves no trace in the result
+            {"primes_used", statistics.primes},
             {"seconds", seconds},
             {"peak_memory", peak_memory()}};
 }
@@ -71,14 +67,15 @@ class GroebnerCommand : public Command {
             "algorithm", "how it is computed (default auto)",
             {{"auto", Algorithm::automatic}, {"buchberger", Algorithm::buchberger}, {"f4", Algorithm::f4}},
             algorithm_);
-        options.choice<Assurance>("assurance", "how sure the result must be at least (default proved)",
-                                  {{"proved", Assurance::proved}, {"probable", Assurance::probable}},
-                                  assurance_);
+        options.choice<groebner::Proof>(
+            "assurance", "how sure the result must be at least (default proved)",
+            {{"proved", groebner::Proof::full}, {"probable", groebner::Proof::none}}, proof_);
     }
 
     ExitStatus run(std::span<const std::string> operands, Session& session) override {
         const System system = read_system(operands, system_, session.run());
-        const GroebnerBasis basis = compute(system, session.run());
+        const GroebnerBasis basis =
+            groebner_basis(system.ring, system.polynomials, {algorithm_, proof_}, session.run());
         session.console().detail(statistics_line(basis.statistics, session.seconds()));
         session.write_result(session.format() == ResultFormat::json
                                  ? json(system.ring, basis, session.seconds())
@@ -87,36 +84,19 @@ class GroebnerCommand : public Command {
     }
 
   private:
-    bool uses_f4(const Ring& ring) const {
-        return algorithm_ == Algorithm::f4 ||
-               (algorithm_ == Algorithm::automatic && !ring.field().is_rationals());
-    }
-
-    GroebnerBasis compute(const System& system, Run& run) const {
-        if (!uses_f4(system.ring)) return buchberger(system.ring, system.polynomials, {}, run);
-        if (system.ring.field().is_rationals())
-            throw UsageError("--algorithm: f4 needs a field GF(p); over QQ this version has buchberger");
-        BuchbergerOptions options;
-        options.selection = groebner::Selection::normal;
-        if (assurance_ == Assurance::probable)
-            options.linear_algebra = groebner::LinearAlgebra::probabilistic;
-        return f4(system.ring, system.polynomials, options, run);
-    }
-
     std::string json(const Ring& ring, const GroebnerBasis& basis, double seconds) const {
         Json result = ring_fields(ring);
         result["basis"] = strings(basis.elements);
-        result["algorithm"] = uses_f4(ring) ? "f4" : "buchberger";
-        const bool proved = basis.proof == groebner::Proof::full;
-        result["assurance"] = proved ? "proved" : "probable";
-        if (!proved) result["failure_bound"] = basis.failure_bound;
+        result["algorithm"] = basis.algorithm == Algorithm::f4 ? "f4" : "buchberger";
+        result["assurance"] = basis.proof == groebner::Proof::full ? "proved" : "probable";
+        if (basis.proof == groebner::Proof::bounded) result["failure_bound"] = basis.failure_bound;
         result["statistics"] = statistics_fields(basis.statistics, seconds);
         return to_text(result);
     }
 
     SystemOptions system_;
     Algorithm algorithm_ = Algorithm::automatic;
-    Assurance assurance_ = Assurance::proved;
+    groebner::Proof proof_ = groebner::Proof::full;
 };
 
 } // namespace

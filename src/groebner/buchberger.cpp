@@ -35,6 +35,7 @@ Statistics& Statistics::operator+=(const Statistics& other) {
     reduction_steps += other.reduction_steps;
     zero_modulo_prime += other.zero_modulo_prime;
     basis_elements_made += other.basis_elements_made;
+    primes += other.primes;
     matrices += other.matrices;
     if (other.largest_matrix_rows * other.largest_matrix_columns >
         largest_matrix_rows * largest_matrix_columns) {

@@ -1,6 +1,6 @@
 #include "eliminant/ideal/dimension.hpp"
 
-#include "ideal/basis_computation.hpp"
+#include "groebner/graded_order.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -126,7 +126,7 @@ std::vector<std::size_t> independent_set(const Ideal& I, base::Run& run) {
     const std::size_t n = I.ring().variable_count();
     std::vector<VariableSet> supports;
     // A fixed order, so that the set does not depend on which bases happen to be known.
-    for (const algebra::Polynomial& f : I.groebner_basis(cheap_order(I.ring()), run)) {
+    for (const algebra::Polynomial& f : I.groebner_basis(groebner::cheap_order(I.ring()), run)) {
         VariableSet& support = supports.emplace_back(n);
         for (std::size_t i = 0; i < n; ++i) {
             if (f.exponent(0, i) != 0) support.insert(i);

@@ -1,8 +1,8 @@
 #include "eliminant/ideal/ideal.hpp"
 
 #include "eliminant/algebra/arithmetic.hpp"
-#include "groebner/change_of_order.hpp"
-#include "ideal/basis_computation.hpp"
+#include "eliminant/groebner/groebner_basis.hpp"
+#include "groebner/graded_order.hpp"
 #include "ideal/ring_change.hpp"
 
 #include <algorithm>
@@ -15,24 +15,6 @@ namespace eliminant::ideal {
 using algebra::MonomialOrder;
 using algebra::Polynomial;
 using algebra::Ring;
-
-namespace {
-
-/// Whether the polynomials are a Groebner basis because their leading monomials are pairwise coprime
-/// (Buchberger's first criterion), as those of X_i − f_i(t) where X_i is large.
-bool have_coprime_leads(const std::vector<Polynomial>& polynomials) {
-    std::vector<bool> seen(polynomials.empty() ? 0 : polynomials.front().ring().variable_count(), false);
-    for (const Polynomial& f : polynomials) {
-        for (std::size_t i = 0; i < seen.size(); ++i) {
-            if (f.exponent(0, i) == 0) continue;
-            if (seen[i]) return false;
-            seen[i] = true;
-        }
-    }
-    return true;
-}
-
-} // namespace
 
 /// What the copies of an ideal share. Bases are only ever added, to a list, so that references to them stay
 /// valid; the lock is held to look and to add, never while a basis is computed.
@@ -102,14 +84,14 @@ std::vector<Polynomial> Ideal::generators() && { return state_->generators; }
 const std::vector<Polynomial>& Ideal::groebner_basis(const MonomialOrder& order, base::Run& run) const& {
     if (const auto* known = state_->find(order)) return *known;
     const Ring target = ring().with_order(order);
-    if (have_coprime_leads(in_ring(generators(), target)))
-        return state_->keep(order, basis_directly(target, generators(), run));
-    if (weights_compared_first(target) || std::ranges::all_of(generators(), &Polynomial::is_homogeneous))
-        return state_->keep(order, basis_directly(target, known_generators(), run));
-    const std::vector<Polynomial>& graded = groebner_basis(MonomialOrder::degrevlex(), run);
-    if (auto changed = groebner::change_order(graded, target, groebner::Proof::full, run))
-        return state_->keep(order, std::move(changed->elements));
-    return state_->keep(order, basis_by_homogenization(target, graded, run));
+    const std::vector<Polynomial> own = in_ring(generators(), target);
+    if (groebner::is_cheaper_by_graded_basis(target, own)) {
+        const std::vector<Polynomial>& graded = groebner_basis(MonomialOrder::degrevlex(), run);
+        return state_->keep(order, groebner::convert_basis(target, graded, {}, run).elements);
+    }
+    const std::vector<Polynomial> known =
+        groebner::weights_compared_first(target) ? in_ring(known_generators(), target) : own;
+    return state_->keep(order, groebner::groebner_basis(target, known, {}, run).elements);
 }
 std::vector<Polynomial> Ideal::groebner_basis(const MonomialOrder& order, base::Run& run) && {
     return std::as_const(*this).groebner_basis(order, run);
@@ -125,15 +107,15 @@ const std::vector<Polynomial>& Ideal::known_generators() const& {
     // From a basis in a cheap order one in another order is found sooner than from the generators: its
     // elements of low degree would have to be found again. A basis in an expensive order may be much larger
     // than either.
-    if (const auto* known = state_->find(cheap_order(ring()))) return *known;
+    if (const auto* known = state_->find(groebner::cheap_order(ring()))) return *known;
     if (const auto* known = state_->find(MonomialOrder::degrevlex())) return *known;
     return generators();
 }
 
 const std::vector<Polynomial>& Ideal::some_groebner_basis(base::Run& run) const& {
-    if (const auto* known = state_->find(cheap_order(ring()))) return *known;
+    if (const auto* known = state_->find(groebner::cheap_order(ring()))) return *known;
     if (const auto* known = state_->find_any()) return *known;
-    return groebner_basis(cheap_order(ring()), run);
+    return groebner_basis(groebner::cheap_order(ring()), run);
 }
 
 Polynomial Ideal::normal_form(const Polynomial& f, base::Run& run) const {

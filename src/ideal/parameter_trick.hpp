@@ -10,7 +10,7 @@ namespace eliminant::ideal {
 
 /// K[t, x, h] for the ring K[x], in the product order that eliminates t, with degrevlex on x and h.
 ///
-/// All is homogenised by h, for the reason given at basis_by_homogenization(): the intersection of two ideals
+/// All is homogenised by h, for the reason given at groebner::convert_basis(): the intersection of two ideals
 /// of dimension 3 and degree 8 over GF(32003) takes 0.03 s instead of 0.09.
 class WithParameter {
   public:

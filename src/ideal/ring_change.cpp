@@ -59,12 +59,6 @@ MonomialOrder restricted(const MonomialOrder& order, std::span<const std::size_t
 
 } // namespace
 
-std::string fresh_name(const Ring& ring, std::string_view stem) {
-    std::string name(stem);
-    for (std::size_t i = 1; ring.index_of(name); ++i) name = std::string(stem) + std::to_string(i);
-    return name;
-}
-
 Ring subring(const Ring& ring, std::span<const std::size_t> kept) {
     return {ring.field(), selected(ring.names(), kept), restricted(ring.order(), kept)};
 }

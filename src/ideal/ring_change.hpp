@@ -2,18 +2,16 @@
 // maps of exponents into them.
 #pragma once
 
+#include "algebra/fresh_name.hpp"
 #include "eliminant/algebra/polynomial.hpp"
 
 #include <cstddef>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace eliminant::ideal {
 
-/// An identifier that is not the name of a variable: `stem`, or `stem` with a number behind it.
-std::string fresh_name(const algebra::Ring& ring, std::string_view stem);
+using algebra::fresh_name;
 
 /// K[x_i : i ∈ kept], kept in the sequence given, in the restriction of the ring's order. Where `kept` is not
 /// ascending, an order that depends on the sequence of the variables (lex, degrevlex) follows the new one.

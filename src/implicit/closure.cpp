@@ -3,6 +3,7 @@
 #include "eliminant/algebra/arithmetic.hpp"
 #include "eliminant/algebra/coefficients.hpp"
 #include "eliminant/algebra/gcd.hpp"
+#include "eliminant/groebner/groebner_basis.hpp"
 #include "eliminant/ideal/dimension.hpp"
 
 #include <algorithm>
@@ -178,7 +179,7 @@ std::vector<Polynomial> dehomogenized(const ProjectiveMap& map, const GradedMap&
 
 std::vector<Polynomial> reduced_closure_basis(const Parametrization& parametrization, const Ring& ring,
                                               std::span<const Polynomial> generators, base::Run& run) {
-    std::vector<Polynomial> basis = groebner::buchberger(ring, generators, {}, run).elements;
+    std::vector<Polynomial> basis = groebner::groebner_basis(ring, generators, {}, run).elements;
     if (parametrization.constants().empty()) return basis;
     // A basis in a product order with the constants last is one over ℚ(constants) as well (Becker and
     // Weispfenning, Groebner Bases, Lemma 8.93); there it is neither minimal nor reduced.

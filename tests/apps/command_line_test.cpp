@@ -130,10 +130,5 @@ TEST(CommandLine, MissingOperandsAreNamed) {
     expect_error_with(run({"ideal", "dimensoin", "x"}), 2, "did you mean 'dimension'?");
 }
 
-TEST(CommandLine, WhatThisVersionDoesNotHaveIsSaid) {
-    expect_error(run({"groebner", "--algorithm", "f4", "x"}), 2,
-                 "--algorithm: f4 needs a field GF(p); over QQ this version has buchberger");
-}
-
 } // namespace
 } // namespace eliminant::test

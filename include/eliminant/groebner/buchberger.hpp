@@ -30,12 +30,20 @@ struct Statistics {
     std::uint64_t zero_modulo_prime = 0;   ///< pairs passed over in the first pass over ℚ
     std::uint64_t basis_elements_made = 0; ///< elements that entered the basis, redundant ones included
 
+    std::uint64_t primes = 0;              ///< F4 over ℚ: primes of which images were made
     std::uint64_t matrices = 0;            ///< F4: batches of pairs
     std::uint64_t largest_matrix_rows = 0; ///< F4: of the matrix with the largest area
     std::uint64_t largest_matrix_columns = 0;
     std::uint64_t largest_matrix_entries = 0; ///< F4: its entries that are not 0
 
     Statistics& operator+=(const Statistics& other);
+};
+
+/// What computes a basis.
+enum class Algorithm {
+    automatic,  ///< whatever suits the input
+    buchberger, ///< one pair after the other: buchberger()
+    f4,         ///< many pairs as the rows of a matrix: f4()
 };
 
 /// How far a basis is proved.
@@ -86,6 +94,7 @@ struct GroebnerBasis {
     /// With Proof::bounded: a bound of the probability that elements are missing, over the random choices
     /// (which start from Run::seed()); 0 with Proof::full.
     double failure_bound = 0;
+    Algorithm algorithm = Algorithm::buchberger; ///< what it was computed by; never `automatic`
     Statistics statistics;
 };
 
@@ -116,6 +125,7 @@ bool is_reduced_groebner(std::span<const algebra::Polynomial> elements, base::Ru
 } // namespace eliminant::groebner
 
 namespace eliminant {
+using groebner::Algorithm;
 using groebner::buchberger;
 using groebner::BuchbergerOptions;
 using groebner::GroebnerBasis;
