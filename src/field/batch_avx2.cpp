@@ -1,5 +1,5 @@
 /// \file
-/// Registers of 32 bytes, one a number: with two, the partial sums of a row would not fit the 16 registers.
+/// Registers of 32 bytes.
 #include "field/batch_units.hpp"
 
 #include <immintrin.h>

@@ -25,11 +25,12 @@ class BatchKernel {
                     unsigned long count) {
         unsigned long first = 0;
         for (; first + A::lanes <= count; first += A::lanes) {
-            Pack point[3];
-            Pack jet[jet_size];
-            for (int i = 0; i < 3; ++i) point[i] = A::load(arrays.point[i] + first);
-            NestedHorner<A>::jet(scheme, coefficients, point, jet);
-            for (int i = 0; i < jet_size; ++i) A::store(arrays.jet[i] + first, jet[i]);
+            const Pack point[3] = {A::load(arrays.point[0] + first), A::load(arrays.point[1] + first),
+                                   A::load(arrays.point[2] + first)};
+            NestedHorner<A>::for_each_of_jet(scheme, coefficients, point,
+                                             [&](std::uint32_t component, const Pack& value) {
+                                                 A::store(arrays.jet[component] + first, value);
+                                             });
         }
         if (first < count) rest(scheme, coefficients, arrays, first, count);
     }

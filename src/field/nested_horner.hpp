@@ -38,6 +38,8 @@ struct SchemeView {
     const SchemeLine* lines;
     std::uint32_t coordinates[3]; ///< which of x, y, z are u, v, w
     std::uint32_t powers[3];      ///< u is a power of that coordinate
+    std::uint32_t
+        components[jet_size]; ///< JetComponent of f; f_u, f_v, f_w; f_uu, f_uv, f_uw, f_vv, f_vw, f_ww
 };
 
 template <class A>
@@ -46,13 +48,32 @@ class NestedHorner {
     using Pack = typename A::Pack;
     using Scalar = typename A::Scalar;
 
-    /// Value and derivatives at the point (x, y, z) into jet[jet_size], as JetComponent says.
-    static void jet(const SchemeView& scheme, const Scalar* coefficients, const Pack* point, Pack* jet) {
+    /// Value and derivatives at the point (x, y, z): `store(component, pack)` is called once for each
+    /// JetComponent.
+    template <class Store>
+    static void for_each_of_jet(const SchemeView& scheme, const Scalar* coefficients, const Pack* point,
+                                const Store& store) {
         const Letter u = letter(scheme, 0, point);
         const Letter v = letter(scheme, 1, point);
         const Letter w = letter(scheme, 2, point);
-        const Sum sum = polynomial(scheme, coefficients, u.value, v.value, w.value);
-        store(scheme, sum, u, v, w, jet);
+        Sum sum = polynomial(scheme, coefficients, u.value, v.value, w.value);
+        apply_chain_rule(scheme, sum, u, v, w);
+        store(scheme.components[0], sum.f);
+        store(scheme.components[1], sum.u);
+        store(scheme.components[2], sum.v);
+        store(scheme.components[3], sum.w);
+        store(scheme.components[4], sum.uu);
+        store(scheme.components[5], sum.uv);
+        store(scheme.components[6], sum.uw);
+        store(scheme.components[7], sum.vv);
+        store(scheme.components[8], sum.vw);
+        store(scheme.components[9], sum.ww);
+    }
+
+    /// The same into jet[jet_size].
+    static void jet(const SchemeView& scheme, const Scalar* coefficients, const Pack* point, Pack* jet) {
+        for_each_of_jet(scheme, coefficients, point,
+                        [jet](std::uint32_t component, const Pack& value) { jet[component] = value; });
     }
 
     /// The value alone.
@@ -157,44 +178,46 @@ class NestedHorner {
         Sum sum{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
         for (const SchemeRow* r = scheme.rows; r != scheme.rows_end; ++r) {
             const SchemeRow& row = *r;
-            if (r != scheme.rows) step(sum, row, u);
-            if (row.count == 0) continue;
+            if (r != scheme.rows) step_derivatives(sum, row, u);
             const SchemeLine* lines = scheme.lines + row.first;
-            if (row.count == 1) { // without v
-                const LineSum add = line_sum(coefficients + lines->first, lines->count, w);
-                sum.f = A::add(sum.f, add.f);
-                if (lines->count == 1) continue;
-                sum.w = A::add(sum.w, add.w);
-                sum.ww = A::add(sum.ww, add.ww);
+            if (row.count > 1) {
+                const RowSum add = row_sum(lines, row.count, coefficients, v, w);
+                sum.f = A::multiply_add(sum.f, u, add.f);
+                sum.v = A::multiply_add(sum.v, u, add.v);
+                sum.w = A::multiply_add(sum.w, u, add.w);
+                sum.vv = A::multiply_add(sum.vv, u, add.vv);
+                sum.vw = A::multiply_add(sum.vw, u, add.vw);
+                sum.ww = A::multiply_add(sum.ww, u, add.ww);
                 continue;
             }
-            const RowSum add = row_sum(lines, row.count, coefficients, v, w);
-            sum.f = A::add(sum.f, add.f);
-            sum.v = A::add(sum.v, add.v);
-            sum.w = A::add(sum.w, add.w);
-            sum.vv = A::add(sum.vv, add.vv);
-            sum.vw = A::add(sum.vw, add.vw);
-            sum.ww = A::add(sum.ww, add.ww);
+            if (row.v_before) {
+                sum.v = A::multiply(sum.v, u);
+                sum.vv = A::multiply(sum.vv, u);
+                if (row.w_before) sum.vw = A::multiply(sum.vw, u);
+            }
+            if (row.count == 1 && lines->count > 1) {
+                const LineSum add = line_sum(coefficients + lines->first, lines->count, w);
+                sum.f = A::multiply_add(sum.f, u, add.f);
+                sum.w = A::multiply_add(sum.w, u, add.w);
+                sum.ww = A::multiply_add(sum.ww, u, add.ww);
+                continue;
+            }
+            if (row.w_before) {
+                sum.w = A::multiply(sum.w, u);
+                sum.ww = A::multiply(sum.ww, u);
+            }
+            sum.f =
+                A::multiply_add(sum.f, u, row.count == 0 ? zero : A::broadcast(coefficients[lines->first]));
         }
         return sum;
     }
 
-    /// Multiplies the sum so far by u.
-    static void step(Sum& sum, const SchemeRow& row, const Pack& u) {
+    /// Horner's step for derivatives in u, before that of what they are derivatives of.
+    static void step_derivatives(Sum& sum, const SchemeRow& row, const Pack& u) {
         sum.uu = A::multiply_add(sum.uu, u, sum.u);
         sum.u = A::multiply_add(sum.u, u, sum.f);
-        sum.f = A::multiply(sum.f, u);
-        if (row.v_before) {
-            sum.uv = A::multiply_add(sum.uv, u, sum.v);
-            sum.v = A::multiply(sum.v, u);
-            sum.vv = A::multiply(sum.vv, u);
-        }
-        if (row.w_before) {
-            sum.uw = A::multiply_add(sum.uw, u, sum.w);
-            sum.w = A::multiply(sum.w, u);
-            sum.ww = A::multiply(sum.ww, u);
-        }
-        if (row.v_before && row.w_before) sum.vw = A::multiply(sum.vw, u);
+        if (row.v_before) sum.uv = A::multiply_add(sum.uv, u, sum.v);
+        if (row.w_before) sum.uw = A::multiply_add(sum.uw, u, sum.w);
     }
 
     /// ∂²/∂x² from ½ ∂²/∂t², and ∂/∂x from ∂/∂t, for t = x^g.
@@ -211,36 +234,15 @@ class NestedHorner {
         other = A::multiply(other, t.first);
     }
 
-    /// Position of ∂/∂a and of ∂²/∂a∂b, a and b being 0, 1, 2 for x, y, z.
-    static std::uint32_t gradient_position(std::uint32_t a) { return at_x + a; }
-    static std::uint32_t hessian_position(std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t low = a < b ? a : b;
-        const std::uint32_t high = a < b ? b : a;
-        return at_xx + low * (5 - low) / 2 + high;
-    }
-
-    /// From u, v, w to x, y, z: the chain rule where a letter is a power.
-    static void store(const SchemeView& scheme, Sum sum, const Letter& u, const Letter& v, const Letter& w,
-                      Pack* jet) {
+    /// From derivatives in u, v, w to those in coordinates of which they are powers.
+    static void apply_chain_rule(const SchemeView& scheme, Sum& sum, const Letter& u, const Letter& v,
+                                 const Letter& w) {
         pure(scheme.powers[0], u, sum.u, sum.uu);
         pure(scheme.powers[1], v, sum.v, sum.vv);
         pure(scheme.powers[2], w, sum.w, sum.ww);
         mixed(scheme.powers[0], u, sum.uv, sum.uw);
         mixed(scheme.powers[1], v, sum.uv, sum.vw);
         mixed(scheme.powers[2], w, sum.uw, sum.vw);
-        const std::uint32_t a = scheme.coordinates[0];
-        const std::uint32_t b = scheme.coordinates[1];
-        const std::uint32_t c = scheme.coordinates[2];
-        jet[at_value] = sum.f;
-        jet[gradient_position(a)] = sum.u;
-        jet[gradient_position(b)] = sum.v;
-        jet[gradient_position(c)] = sum.w;
-        jet[hessian_position(a, a)] = sum.uu;
-        jet[hessian_position(a, b)] = sum.uv;
-        jet[hessian_position(a, c)] = sum.uw;
-        jet[hessian_position(b, b)] = sum.vv;
-        jet[hessian_position(b, c)] = sum.vw;
-        jet[hessian_position(c, c)] = sum.ww;
     }
 };
 

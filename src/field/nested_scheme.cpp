@@ -91,13 +91,24 @@ void note_dependence(NestedScheme& scheme) {
     }
 }
 
+/// JetComponent of ∂²/∂a∂b, a and b being 0, 1, 2 for x, y, z.
+std::uint32_t hessian_component(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t low = std::min(a, b);
+    return at_xx + low * (5 - low) / 2 + std::max(a, b);
+}
+
 } // namespace
 
 SchemeView NestedScheme::view() const {
-    SchemeView result{rows.data(), rows.data() + rows.size(), lines.data(), {}, {}};
+    SchemeView result{rows.data(), rows.data() + rows.size(), lines.data(), {}, {}, {}};
+    std::uint32_t component = at_xx;
+    result.components[0] = at_value;
     for (std::size_t level = 0; level < 3; ++level) {
         result.coordinates[level] = coordinates[level];
         result.powers[level] = powers[level];
+        result.components[1 + level] = at_x + coordinates[level];
+        for (std::size_t other = level; other < 3; ++other)
+            result.components[component++] = hessian_component(coordinates[level], coordinates[other]);
     }
     return result;
 }
