@@ -30,9 +30,14 @@ void evaluate_batch(base::VectorUnit unit, const CompiledPolynomial& f, const Re
     check_lengths(points, jets, data.exact.degree(2) > 0);
     // Without z, any numbers do in its place: its powers do not occur.
     const std::span<const Real> z = points.z.empty() ? points.x : points.z;
-    BatchArrays<Real> arrays{{points.x.data(), points.y.data(), z.data()}, {jets.value.data()}};
-    for (std::size_t i = 0; i < 3; ++i) arrays.jet[at_x + i] = jets.gradient[i].data();
-    for (std::size_t i = 0; i < 6; ++i) arrays.jet[at_xx + i] = jets.hessian[i].data();
+    const std::span<const Real> columns[] = {points.x, points.y, z};
+    const std::span<Real> results[] = {jets.value,      jets.gradient[0], jets.gradient[1], jets.gradient[2],
+                                       jets.hessian[0], jets.hessian[1],  jets.hessian[2],  jets.hessian[3],
+                                       jets.hessian[4], jets.hessian[5]};
+    BatchArrays<Real> arrays{};
+    for (std::size_t level = 0; level < 3; ++level)
+        arrays.point[level] = columns[data.view.coordinates[level]].data();
+    for (std::size_t k = 0; k < jet_size; ++k) arrays.jet[k] = results[data.view.components[k]].data();
     const std::size_t count = points.x.size();
     switch (unit) {
 #if defined(__x86_64__)

@@ -8,7 +8,7 @@
 
 namespace eliminant::field {
 
-/// Columns of numbers, one for each coordinate or component.
+/// Columns of numbers: coordinates by the levels of the scheme, components by its SchemeView::components.
 template <class Scalar>
 struct BatchArrays {
     const Scalar* point[3];
@@ -25,12 +25,10 @@ class BatchKernel {
                     unsigned long count) {
         unsigned long first = 0;
         for (; first + A::lanes <= count; first += A::lanes) {
-            const Pack point[3] = {A::load(arrays.point[0] + first), A::load(arrays.point[1] + first),
-                                   A::load(arrays.point[2] + first)};
-            NestedHorner<A>::for_each_of_jet(scheme, coefficients, point,
-                                             [&](std::uint32_t component, const Pack& value) {
-                                                 A::store(arrays.jet[component] + first, value);
-                                             });
+            NestedHorner<A>::for_each_of_jet(
+                scheme, coefficients, A::load(arrays.point[0] + first), A::load(arrays.point[1] + first),
+                A::load(arrays.point[2] + first),
+                [&](int k, const Pack& value) { A::store(arrays.jet[k] + first, value); });
         }
         if (first < count) rest(scheme, coefficients, arrays, first, count);
     }

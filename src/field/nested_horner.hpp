@@ -20,15 +20,15 @@ inline constexpr int jet_size = 10;
 struct SchemeLine {
     std::uint32_t first = 0; ///< slot of the highest power
     std::uint32_t count = 0; ///< slots; 0 is the zero polynomial
-    bool w_before = false;   ///< an earlier line of this row contains w
 };
 
 /// A polynomial in v and w; see NestedScheme.
 struct SchemeRow {
-    std::uint32_t first = 0; ///< line of the highest power
-    std::uint32_t count = 0; ///< lines; 0 is the zero polynomial
-    bool v_before = false;   ///< an earlier row contains v
-    bool w_before = false;   ///< an earlier row contains w
+    std::uint32_t first = 0;     ///< line of the highest power
+    std::uint32_t count = 0;     ///< lines; 0 is the zero polynomial
+    std::uint32_t constants = 0; ///< so many of them come first and have one slot each, which are contiguous
+    bool v_before = false;       ///< an earlier row contains v
+    bool w_before = false;       ///< an earlier row contains w
 };
 
 /// A NestedScheme as kernels see it.
@@ -36,6 +36,7 @@ struct SchemeView {
     const SchemeRow* rows;
     const SchemeRow* rows_end;
     const SchemeLine* lines;
+    std::uint32_t constants;      ///< so many rows come first and have one slot each, which are contiguous
     std::uint32_t coordinates[3]; ///< which of x, y, z are u, v, w
     std::uint32_t powers[3];      ///< u is a power of that coordinate
     std::uint32_t
@@ -48,32 +49,33 @@ class NestedHorner {
     using Pack = typename A::Pack;
     using Scalar = typename A::Scalar;
 
-    /// Value and derivatives at the point (x, y, z): `store(component, pack)` is called once for each
-    /// JetComponent.
+    /// Value and derivatives where the coordinates of levels 0, 1, 2 are p, q, r: `store(k, pack)` is called
+    /// once for each k, which stands for the JetComponent scheme.components[k].
     template <class Store>
-    static void for_each_of_jet(const SchemeView& scheme, const Scalar* coefficients, const Pack* point,
-                                const Store& store) {
-        const Letter u = letter(scheme, 0, point);
-        const Letter v = letter(scheme, 1, point);
-        const Letter w = letter(scheme, 2, point);
+    static void for_each_of_jet(const SchemeView& scheme, const Scalar* coefficients, const Pack& p,
+                                const Pack& q, const Pack& r, const Store& store) {
+        const Letter u = letter(scheme.powers[0], p);
+        const Letter v = letter(scheme.powers[1], q);
+        const Letter w = letter(scheme.powers[2], r);
         Sum sum = polynomial(scheme, coefficients, u.value, v.value, w.value);
         apply_chain_rule(scheme, sum, u, v, w);
-        store(scheme.components[0], sum.f);
-        store(scheme.components[1], sum.u);
-        store(scheme.components[2], sum.v);
-        store(scheme.components[3], sum.w);
-        store(scheme.components[4], sum.uu);
-        store(scheme.components[5], sum.uv);
-        store(scheme.components[6], sum.uw);
-        store(scheme.components[7], sum.vv);
-        store(scheme.components[8], sum.vw);
-        store(scheme.components[9], sum.ww);
+        store(0, sum.f);
+        store(1, sum.u);
+        store(2, sum.v);
+        store(3, sum.w);
+        store(4, sum.uu);
+        store(5, sum.uv);
+        store(6, sum.uw);
+        store(7, sum.vv);
+        store(8, sum.vw);
+        store(9, sum.ww);
     }
 
     /// The same into jet[jet_size].
     static void jet(const SchemeView& scheme, const Scalar* coefficients, const Pack* point, Pack* jet) {
-        for_each_of_jet(scheme, coefficients, point,
-                        [jet](std::uint32_t component, const Pack& value) { jet[component] = value; });
+        for_each_of_jet(scheme, coefficients, point[scheme.coordinates[0]], point[scheme.coordinates[1]],
+                        point[scheme.coordinates[2]],
+                        [&](int k, const Pack& value) { jet[scheme.components[k]] = value; });
     }
 
     /// The value alone.
@@ -121,17 +123,17 @@ class NestedHorner {
         return result;
     }
 
-    static Letter letter(const SchemeView& scheme, int level, const Pack* point) {
-        const Pack& x = point[scheme.coordinates[level]];
-        const std::uint32_t g = scheme.powers[level];
+    static Letter letter(std::uint32_t g, const Pack& x) {
         if (g == 1) return {x, A::zero(), A::zero()};
-        Pack below = A::broadcast(Scalar(1)); // x^(g−2)
-        for (std::uint32_t i = 2; i < g; ++i) below = A::multiply(below, x);
+        if (g == 2) return {A::multiply(x, x), A::add(x, x), A::broadcast(Scalar(2))};
+        Pack below = x; // x^(g−2)
+        for (std::uint32_t i = 3; i < g; ++i) below = A::multiply(below, x);
         const Pack before = A::multiply(below, x);
         return {A::multiply(before, x), A::multiply(A::broadcast(Scalar(g)), before),
                 A::multiply(A::broadcast(Scalar(g) * Scalar(g - 1)), below)};
     }
 
+    /// Of count coefficients in descending powers of w, or of another letter.
     static LineSum line_sum(const Scalar* c, std::uint32_t count, const Pack& w) {
         if (count == 0) return {A::zero(), A::zero(), A::zero()};
         LineSum sum{A::broadcast(c[0]), A::zero(), A::zero()};
@@ -150,20 +152,29 @@ class NestedHorner {
         return sum;
     }
 
-    static RowSum row_sum(const SchemeLine* lines, std::uint32_t count, const Scalar* coefficients,
+    /// Of a row in which v or w occurs.
+    static RowSum row_sum(const SchemeView& scheme, const SchemeRow& row, const Scalar* coefficients,
                           const Pack& v, const Pack& w) {
-        const LineSum first = line_sum(coefficients + lines[0].first, lines[0].count, w);
-        RowSum sum{first.f, A::zero(), first.w, A::zero(), A::zero(), first.ww};
-        for (std::uint32_t i = 1; i < count; ++i) {
-            const SchemeLine& line = lines[i];
-            const Scalar* c = coefficients + line.first;
+        const SchemeLine* lines = scheme.lines + row.first;
+        const Pack zero = A::zero();
+        RowSum sum{zero, zero, zero, zero, zero, zero};
+        std::uint32_t i = row.constants;
+        if (i > 0) {
+            const LineSum in_v = line_sum(coefficients + lines->first, i, v);
+            sum.f = in_v.f;
+            sum.v = in_v.w;
+            sum.vv = in_v.ww;
+        } else {
+            const LineSum in_w = line_sum(coefficients + lines->first, lines->count, w);
+            sum.f = in_w.f;
+            sum.w = in_w.w;
+            sum.ww = in_w.ww;
+            i = 1;
+        }
+        for (; i < row.count; ++i) {
+            const LineSum add = line_sum(coefficients + lines[i].first, lines[i].count, w);
             sum.vv = A::multiply_add(sum.vv, v, sum.v);
             sum.v = A::multiply_add(sum.v, v, sum.f);
-            if (line.count < 2 && !line.w_before) {
-                sum.f = A::multiply_add(sum.f, v, line.count == 0 ? A::zero() : A::broadcast(c[0]));
-                continue;
-            }
-            const LineSum add = line_sum(c, line.count, w);
             sum.f = A::multiply_add(sum.f, v, add.f);
             sum.vw = A::multiply_add(sum.vw, v, sum.w);
             sum.w = A::multiply_add(sum.w, v, add.w);
@@ -176,12 +187,19 @@ class NestedHorner {
                           const Pack& w) {
         const Pack zero = A::zero();
         Sum sum{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
-        for (const SchemeRow* r = scheme.rows; r != scheme.rows_end; ++r) {
+        const SchemeRow* r = scheme.rows;
+        if (scheme.constants > 0) {
+            const LineSum in_u = line_sum(coefficients + scheme.lines[r->first].first, scheme.constants, u);
+            sum.f = in_u.f;
+            sum.u = in_u.w;
+            sum.uu = in_u.ww;
+            r += scheme.constants;
+        }
+        for (; r != scheme.rows_end; ++r) {
             const SchemeRow& row = *r;
             if (r != scheme.rows) step_derivatives(sum, row, u);
-            const SchemeLine* lines = scheme.lines + row.first;
-            if (row.count > 1) {
-                const RowSum add = row_sum(lines, row.count, coefficients, v, w);
+            if (row.count > row.constants || row.count > 1) {
+                const RowSum add = row_sum(scheme, row, coefficients, v, w);
                 sum.f = A::multiply_add(sum.f, u, add.f);
                 sum.v = A::multiply_add(sum.v, u, add.v);
                 sum.w = A::multiply_add(sum.w, u, add.w);
@@ -190,24 +208,13 @@ class NestedHorner {
                 sum.ww = A::multiply_add(sum.ww, u, add.ww);
                 continue;
             }
-            if (row.v_before) {
-                sum.v = A::multiply(sum.v, u);
-                sum.vv = A::multiply(sum.vv, u);
-                if (row.w_before) sum.vw = A::multiply(sum.vw, u);
-            }
-            if (row.count == 1 && lines->count > 1) {
-                const LineSum add = line_sum(coefficients + lines->first, lines->count, w);
-                sum.f = A::multiply_add(sum.f, u, add.f);
-                sum.w = A::multiply_add(sum.w, u, add.w);
-                sum.ww = A::multiply_add(sum.ww, u, add.ww);
-                continue;
-            }
-            if (row.w_before) {
-                sum.w = A::multiply(sum.w, u);
-                sum.ww = A::multiply(sum.ww, u);
-            }
-            sum.f =
-                A::multiply_add(sum.f, u, row.count == 0 ? zero : A::broadcast(coefficients[lines->first]));
+            sum.f = A::multiply_add(
+                sum.f, u, row.count == 0 ? zero : A::broadcast(coefficients[scheme.lines[row.first].first]));
+            sum.v = A::multiply(sum.v, u);
+            sum.w = A::multiply(sum.w, u);
+            sum.vv = A::multiply(sum.vv, u);
+            sum.vw = A::multiply(sum.vw, u);
+            sum.ww = A::multiply(sum.ww, u);
         }
         return sum;
     }

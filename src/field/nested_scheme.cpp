@@ -33,6 +33,11 @@ std::vector<Exponents> in_levels(std::span<const Exponents> terms, const NestedS
     return result;
 }
 
+/// Whether a term with u^i v^j contains w. Linear, for rows of constants.
+bool contains_w(std::span<const Exponents> terms, std::size_t i, std::size_t j) {
+    return std::ranges::any_of(terms, [&](const Exponents& e) { return e[0] == i && e[1] == j && e[2] > 0; });
+}
+
 /// Lays out rows and lines so that each is as short as its terms allow.
 void lay_out(NestedScheme& scheme, std::span<const Exponents> terms) {
     const auto degree = [&](std::size_t level) {
@@ -47,6 +52,9 @@ void lay_out(NestedScheme& scheme, std::span<const Exponents> terms) {
         std::uint32_t& count = scheme.rows[top - e[0]].count;
         count = std::max(count, e[1] + 1);
     }
+    while (scheme.constants < scheme.rows.size() && scheme.rows[scheme.constants].count <= 1 &&
+           !contains_w(terms, top - scheme.constants, 0))
+        scheme.rows[scheme.constants++].count = 1;
     std::size_t lines = 0;
     for (NestedScheme::Row& row : scheme.rows) {
         row.first = static_cast<std::uint32_t>(lines);
@@ -61,6 +69,11 @@ void lay_out(NestedScheme& scheme, std::span<const Exponents> terms) {
     for (const Exponents& e : terms) {
         std::uint32_t& count = line_of(e).count;
         count = std::max(count, e[2] + 1);
+    }
+    for (NestedScheme::Row& row : scheme.rows) {
+        const std::span in_row(scheme.lines.data() + row.first, row.count);
+        while (row.constants < row.count && in_row[row.constants].count <= 1)
+            in_row[row.constants++].count = 1;
     }
     for (NestedScheme::Line& line : scheme.lines) {
         line.first = static_cast<std::uint32_t>(scheme.size);
@@ -80,14 +93,8 @@ void note_dependence(NestedScheme& scheme) {
     for (NestedScheme::Row& row : scheme.rows) {
         row.v_before = v;
         row.w_before = w;
-        bool w_in_row = false;
-        for (std::uint32_t i = 0; i < row.count; ++i) {
-            NestedScheme::Line& line = scheme.lines[row.first + i];
-            line.w_before = w_in_row;
-            w_in_row = w_in_row || line.count > 1;
-        }
         v = v || row.count > 1;
-        w = w || w_in_row;
+        w = w || row.constants < row.count;
     }
 }
 
@@ -100,7 +107,7 @@ std::uint32_t hessian_component(std::uint32_t a, std::uint32_t b) {
 } // namespace
 
 SchemeView NestedScheme::view() const {
-    SchemeView result{rows.data(), rows.data() + rows.size(), lines.data(), {}, {}, {}};
+    SchemeView result{rows.data(), rows.data() + rows.size(), lines.data(), constants, {}, {}, {}};
     std::uint32_t component = at_xx;
     result.components[0] = at_value;
     for (std::size_t level = 0; level < 3; ++level) {
@@ -114,17 +121,12 @@ SchemeView NestedScheme::view() const {
 }
 
 std::size_t NestedScheme::cost() const {
-    std::size_t steps = 0;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
+    std::size_t steps = 3 * std::size_t{constants};
+    for (std::size_t r = constants; r < rows.size(); ++r) {
         const Row& row = rows[r];
-        if (r > 0) // value and two derivatives in u; more for each of v, w
-            steps += 3U + (row.v_before ? 3U : 0U) + (row.w_before ? 3U : 0U) +
-                     (row.v_before && row.w_before ? 1U : 0U);
-        for (std::uint32_t i = 0; i < row.count; ++i) {
-            const Line& line = lines[row.first + i];
-            if (i > 0) steps += 3U + (line.w_before ? 3U : 0U);
-            if (line.count > 0) steps += 3U * (line.count - 1U) + 1U;
-        }
+        steps += 8U + (row.v_before ? 1U : 0U) + (row.w_before ? 1U : 0U) + 3U * row.constants;
+        for (std::uint32_t i = row.constants; i < row.count; ++i)
+            steps += 6U + 3U * lines[row.first + i].count;
     }
     for (const std::uint32_t power : powers)
         if (power > 1) steps += 5U + power;

@@ -21,9 +21,10 @@ using Exponents = std::array<std::uint32_t, 3>;
 ///     lines    v^J … v^1 v^0      a line is a polynomial in w
 ///     slots    w^K … w^1 w^0      places of coefficients, contiguous in a line, 0 where there is no term
 ///
-/// Rows and lines are dense: a gap costs less than the branch that would skip it. Where all exponents of a
-/// coordinate are multiples of g > 1, the letter stands for its power x^g, so that an even polynomial has
-/// half the levels.
+/// What comes before the first w in a row, and before the first v or w at all, are runs of constants, which
+/// are summed like a line. Rows and lines are dense: a gap costs less than the branch that would skip it.
+/// Where all exponents of a coordinate are multiples of g > 1, the letter stands for its power x^g, so that
+/// an even polynomial has half the levels.
 struct NestedScheme {
     using Line = SchemeLine;
     using Row = SchemeRow;
@@ -32,6 +33,7 @@ struct NestedScheme {
     std::array<std::uint32_t, 3> powers = {1, 1, 1};     ///< g for u, v, w
     std::vector<Row> rows;                               ///< by descending powers of u
     std::vector<Line> lines;                             ///< of each row by descending powers of v
+    std::uint32_t constants = 0;                         ///< rows without v and w that come first
     std::vector<std::uint32_t> slots;                    ///< of each term
     std::size_t size = 0;                                ///< number of slots
 
