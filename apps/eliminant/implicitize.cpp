@@ -6,31 +6,53 @@
 #include "results.hpp"
 
 #include "eliminant/algebra/parse.hpp"
+#include "eliminant/implicit/batch.hpp"
 #include "eliminant/implicit/certify.hpp"
-#include "eliminant/implicit/implicitize.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 
 namespace eliminant::app {
 
 namespace {
 
-Parametrization read_parametrization(std::span<const std::string> operands, Run& run) {
-    const Input input = input_of(operands, looks_like_equation, run);
-    if (!input.is_expressions) {
-        const Input::Part& file = input.parts.front();
-        return parse_parametrization(SourceText(file.text, file.name), run);
+/// The shapes that a text is taken apart into.
+std::vector<ShapeSource> sources_of(const Input& input, Run& run) {
+    return shape_sources(SourceText(input.parts.front().text, input.parts.front().name), run);
+}
+
+/// The only shape of an input that gives it no name; nullopt for a batch. Several arguments are the
+/// statements of one.
+std::optional<Parametrization> single_shape(const Input& input, Run& run) {
+    if (input.parts.size() > 1) {
+        std::vector<SourceText> statements;
+        for (const Input::Part& part : input.parts) statements.emplace_back(part.text, part.name);
+        return parse_parametrization(statements, run);
     }
-    std::vector<SourceText> statements;
-    for (const Input::Part& part : input.parts) statements.emplace_back(part.text, part.name);
-    return parse_parametrization(statements, run);
+    const std::vector<ShapeSource> sources = sources_of(input, run);
+    if (sources.size() > 1 || !sources.front().name.empty()) return std::nullopt;
+    std::vector<Shape> shapes = parse_shapes(sources.front(), run);
+    if (shapes.size() > 1) return std::nullopt;
+    return std::move(shapes.front().parametrization);
 }
 
 std::vector<std::string> coordinate_names(const Parametrization& parametrization) {
     std::vector<std::string> names;
     for (const Coordinate& coordinate : parametrization.coordinates()) names.push_back(coordinate.name);
     return names;
+}
+
+/// The coordinates of the first shape of a batch that can be read.
+std::vector<std::string> first_coordinate_names(std::span<const ShapeSource> sources, Run& run) {
+    for (const ShapeSource& source : sources) {
+        try {
+            return coordinate_names(parse_shapes(source, run).front().parametrization);
+        } catch (const ParseError&) { // it is reported when it is this shape's turn
+            continue;
+        }
+    }
+    return {};
 }
 
 /// Degree in the coordinates, which are the first variables: constants are elements of the field.
@@ -59,14 +81,14 @@ Json one_or_list(std::vector<std::uint64_t> numbers) {
     return numbers;
 }
 
-std::string json(const ImplicitResult& result, std::size_t coordinates, double seconds) {
+/// Adds what was found to a report.
+void describe_in_json(Json& report, const ImplicitResult& result, std::size_t coordinates, double seconds) {
     std::vector<std::uint64_t> degrees;
     std::vector<std::uint64_t> terms;
     for (const Polynomial& f : result.equations) {
         degrees.push_back(degree_in_coordinates(f, coordinates));
         terms.push_back(f.size());
     }
-    Json report;
     report["variables"] = result.ring.names();
     report["equations"] = strings(result.equations);
     report["codimension"] = result.codimension;
@@ -78,7 +100,6 @@ std::string json(const ImplicitResult& result, std::size_t coordinates, double s
     report["parametrization_degree"] = nullptr;
     if (result.parametrization_degree) report["parametrization_degree"] = *result.parametrization_degree;
     report["seconds"] = seconds;
-    return to_text(report);
 }
 
 /// A polynomial for a hypersurface and, being 0, for a dense image; otherwise an ideal.
@@ -109,10 +130,22 @@ class ImplicitizeCommand : public Command {
                "  # …                      a comment\n"
                "cos(k*u) and sin(k*u) of a parameter u and an integer k are allowed and treated exactly.\n"
                "\n"
+               "Instead of formulas a file may hold a control net: a first line\n"
+               "  bezier 3 3               degrees, one for a curve; also rational bezier, bspline, nurbs\n"
+               "then for bspline and nurbs a line 'knots 0 0 0 1 2 2 2' a degree, then a control point a "
+               "line, those\n"
+               "along the last degree first; points of rational nets and nurbs end with their weight.\n"
+               "Several shapes in a file, each behind a line 'patch NAME', or several nets, are a batch: "
+               "each result is\n"
+               "printed when it is there, behind a comment with the name (in JSON an object a line); the "
+               "exit status is\n"
+               "2 if one of them failed. A spline has a result for each of its polynomial pieces.\n"
+               "\n"
                "Examples:\n"
                "  eliminant implicitize 'x = (1-t^2)/(1+t^2)' 'y = 2t/(1+t^2)'\n"
                "  eliminant implicitize --format json 'constants R, r' 'x = (R+r*cos(u))*cos(v)' "
-               "'y = (R+r*cos(u))*sin(v)' 'z = r*sin(u)'\n";
+               "'y = (R+r*cos(u))*sin(v)' 'z = r*sin(u)'\n"
+               "  eliminant implicitize data/teapot/teapot.net\n";
     }
 
     void declare(OptionSet& options) override {
@@ -136,19 +169,24 @@ class ImplicitizeCommand : public Command {
     ExitStatus run(std::span<const std::string> operands, Session& session) override {
         ImplicitizeOptions options;
         options.method = method_;
-        const Parametrization parametrization = read_parametrization(operands, session.run());
-        const std::vector<std::string> coordinates = coordinate_names(parametrization);
+        const Input input = input_of(operands, looks_like_equation, session.run());
+        const auto parametrization = single_shape(input, session.run());
+        if (!parametrization) return run_batch(sources_of(input, session.run()), options, session);
+        const std::vector<std::string> coordinates = coordinate_names(*parametrization);
         if (order_) options.order = parse_order(SourceText(*order_, "--order"), coordinates);
 
         std::optional<Destination> certificate;
         if (certificate_) certificate.emplace(*certificate_);
-        const ImplicitResult result = implicitize(parametrization, options, session.run());
-        for (const std::string& warning : result.warnings) session.console().warning(warning);
-        describe(result, session);
-        if (certificate) write_certificate(*certificate, parametrization, result, session);
-        session.write_result(session.format() == ResultFormat::json
-                                 ? json(result, coordinates.size(), session.seconds())
-                                 : equations_in(session.format(), result));
+        const ImplicitResult result = implicitize(*parametrization, options, session.run());
+        describe(result, "", session);
+        if (certificate) write_certificate(*certificate, *parametrization, result, session);
+        if (session.format() == ResultFormat::json) {
+            Json report;
+            describe_in_json(report, result, coordinates.size(), session.seconds());
+            session.write_result(to_text(report));
+        } else {
+            session.write_result(equations_in(session.format(), result));
+        }
         return exit_done;
     }
 
@@ -162,14 +200,63 @@ class ImplicitizeCommand : public Command {
             session.console().warning("no certificate was written: there is none for inputs with relations");
     }
 
-    static void describe(const ImplicitResult& result, Session& session) {
+    /// Results are printed as they come, errors named and passed over.
+    ExitStatus run_batch(std::span<const ShapeSource> sources, ImplicitizeOptions options, Session& session) {
+        if (certificate_) throw UsageError("--certificate", "an input of one shape", "a batch");
+        if (order_)
+            options.order =
+                parse_order(SourceText(*order_, "--order"), first_coordinate_names(sources, session.run()));
+        ExitStatus status = exit_done;
+        OutputStream output = session.open_result();
+        implicitize_shapes(sources, options, session.run(), [&](const ShapeResult& shape) {
+            if (!shape.result) status = exit_usage;
+            const std::string report = shape.result ? found(shape, session) : failed(shape, session);
+            session.console().clear_progress();
+            output.write(report);
+        });
+        output.finish();
+        return status;
+    }
+
+    static std::string found(const ShapeResult& shape, Session& session) {
+        describe(*shape.result, shape.name + ": ", session);
+        if (session.format() != ResultFormat::json)
+            return comment_in(session.format(), shape.name) + equations_in(session.format(), *shape.result);
+        Json report;
+        report["name"] = shape.name;
+        describe_in_json(report, *shape.result, shape.coordinate_count, session.seconds());
+        return to_text(report);
+    }
+
+    static std::string failed(const ShapeResult& shape, Session& session) {
+        std::string message;
+        try {
+            std::rethrow_exception(shape.error);
+        } catch (const ParseError& error) {
+            session.console().error(error);
+            message = error.what();
+        } catch (const Error& error) {
+            message = error.what();
+            session.console().error(shape.name + ": " + message);
+        }
+        if (session.format() != ResultFormat::json) return {};
+        Json report;
+        report["name"] = shape.name;
+        report["error"] = message;
+        return to_text(report);
+    }
+
+    /// \param prefix of what is said, where there are several results
+    static void describe(const ImplicitResult& result, const std::string& prefix, Session& session) {
         Console& console = session.console();
-        for (const std::string& note : result.notes) console.detail("note: " + note);
-        console.detail("method: " + std::string(to_string(result.method)));
-        if (!result.choice.empty()) console.detail(result.choice);
-        console.detail("assurance: " + std::string(to_string(result.assurance)) + ": " + result.proof);
-        console.detail("primes used: " + std::to_string(result.statistics.primes_used));
-        console.detail(statistics_line(result.statistics.basis, session.seconds()));
+        for (const std::string& warning : result.warnings) console.warning(prefix + warning);
+        for (const std::string& note : result.notes) console.detail(prefix + "note: " + note);
+        console.detail(prefix + "method: " + std::string(to_string(result.method)));
+        if (!result.choice.empty()) console.detail(prefix + result.choice);
+        console.detail(prefix + "assurance: " + std::string(to_string(result.assurance)) + ": " +
+                       result.proof);
+        console.detail(prefix + "primes used: " + std::to_string(result.statistics.primes_used));
+        console.detail(prefix + statistics_line(result.statistics.basis, session.seconds()));
     }
 
     Method method_ = Method::automatic;

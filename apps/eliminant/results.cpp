@@ -49,6 +49,14 @@ std::string ideal_in(ResultFormat format, const Ring& ring, std::span<const Poly
 
 std::string polynomial_in(ResultFormat format, const Polynomial& f) { return declared(f, syntax(format)); }
 
+std::string comment_in(ResultFormat format, const std::string& text) {
+    std::string_view sign = "# ";
+    if (format == ResultFormat::latex) sign = "% ";
+    if (format == ResultFormat::singular) sign = "// ";
+    if (format == ResultFormat::macaulay2) sign = "-- ";
+    return std::string(sign).append(text).append("\n");
+}
+
 std::string assignment_in(ResultFormat format, const std::string& name, const Polynomial& value) {
     return name + " = " + formula(value, syntax(format)) + "\n";
 }

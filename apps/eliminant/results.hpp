@@ -36,6 +36,9 @@ std::string ideal_in(ResultFormat format, const Ring& ring, std::span<const Poly
 /// A polynomial on its own, in the same way.
 std::string polynomial_in(ResultFormat format, const Polynomial& f);
 
+/// A comment in the syntax of the format, a line. Not for JSON.
+std::string comment_in(ResultFormat format, const std::string& text);
+
 /// `NAME = FORMULA`, a line, without the ring. Not for JSON.
 std::string assignment_in(ResultFormat format, const std::string& name, const Polynomial& value);
 

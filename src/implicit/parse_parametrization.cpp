@@ -1,8 +1,10 @@
 #include "eliminant/algebra/arithmetic.hpp"
 #include "eliminant/algebra/expression.hpp"
 #include "eliminant/algebra/parse.hpp"
+#include "eliminant/implicit/batch.hpp"
 #include "eliminant/implicit/parametrization.hpp"
 #include "implicit/angles.hpp"
+#include "implicit/text_lines.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -22,8 +24,6 @@ using algebra::RationalFunction;
 using base::SourceText;
 
 namespace {
-
-constexpr std::string_view blanks = " \t\r\f\v";
 
 /// What a name stands for.
 enum class Role { parameter, constant, coordinate };
@@ -47,19 +47,6 @@ struct Formula {
     std::optional<Expression> right;
 };
 
-bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-std::size_t skip_blanks(const SourceText& text, std::size_t offset) {
-    return std::min(text.text().find_first_not_of(blanks, offset), text.size());
-}
-
-std::size_t skip_word(const SourceText& text, std::size_t offset) {
-    while (offset < text.size() && is_word(text.text()[offset])) ++offset;
-    return offset;
-}
-
 std::size_t offset_of_word(const SourceText& text, std::string_view word) {
     std::size_t offset = 0;
     while (offset < text.size()) {
@@ -76,16 +63,7 @@ class Reader {
     explicit Reader(base::Run& run) : run_(run) {}
 
     void read(const SourceText& source) {
-        source.check_encoding();
-        std::size_t begin = source.text().starts_with("\xEF\xBB\xBF") ? 3 : 0; // byte order mark
-        while (begin < source.size()) {
-            run_.poll();
-            const std::size_t end = std::min(source.text().find('\n', begin), source.size());
-            const SourceText line = source.section(begin, end);
-            // Up to the comment, so that what is missing is found missing at the `end of line`.
-            read_statement(line.section(0, std::min(line.text().find('#'), line.size())));
-            begin = end + 1;
-        }
+        for_each_line(source, run_, [this](const SourceText& line) { read_statement(line); });
     }
 
     Parametrization finish(const SourceText& last) {
@@ -102,7 +80,6 @@ class Reader {
   private:
     void read_statement(const SourceText& line) {
         const std::size_t begin = skip_blanks(line, 0);
-        if (begin == line.size()) return;
         const std::size_t end = skip_word(line, begin);
         const std::string name(line.text().substr(begin, end - begin));
         const std::size_t next = skip_blanks(line, end);
@@ -318,7 +295,12 @@ Parametrization parse_parametrization(std::span<const SourceText> statements, ba
 }
 
 Parametrization parse_parametrization(const SourceText& source, base::Run& run) {
-    return parse_parametrization(std::span(&source, 1), run);
+    const std::vector<ShapeSource> sources = shape_sources(source, run);
+    if (sources.size() > 1) source.fail(0, "a single shape", std::to_string(sources.size()) + " shapes");
+    std::vector<Shape> shapes = parse_shapes(sources.front(), run);
+    if (shapes.size() > 1)
+        source.fail(0, "a single shape", "a spline of " + std::to_string(shapes.size()) + " pieces");
+    return std::move(shapes.front().parametrization);
 }
 
 } // namespace eliminant::implicit

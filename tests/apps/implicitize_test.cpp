@@ -3,7 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <set>
+#include <sstream>
 
 namespace eliminant::test {
 namespace {
@@ -148,6 +150,47 @@ TEST(Implicitize, EveryMethodAgrees) {
         expect_output(run(with(circle, {"--method", method})), "x^2+y^2-1\n");
     expect_output(run(with(circle, {"--assurance", "probable"})), "x^2+y^2-1\n");
     expect_error_with(run(with(circle, {"--method", "grobner"})), 2, "did you mean 'groebner'?");
+}
+
+TEST(Implicitize, ReadsControlNets) {
+    expect_output(run_with_input({"implicitize"}, "rational bezier 2\n1 0 1\n1 1 1\n0 1 2\n"), "x^2+y^2-1\n");
+    expect_output(run({"implicitize", "bezier 1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n"}), "x*y-z\n");
+    expect_error(run_with_input({"implicitize"}, "bezier 1\n0 0\n"), 2,
+                 "-:3:1: expected 2 control points, found 1");
+}
+
+TEST(Implicitize, ABatchIsPrintedShapeByShape) {
+    const std::string good = "patch line\nbezier 1\n0 0\n1 1\npatch cubic\nx = t\ny = t^3\n";
+    expect_output(run_with_input({"implicitize"}, good), "# line\nx-y\n# cubic\nx^3-y\n");
+    expect_output(run_with_input({"implicitize", "--format", "latex"}, "patch a b\nx = t\ny = t^2\n"),
+                  "% a b\nx^{2}-y\n");
+    const ScratchDirectory scratch;
+    EXPECT_EQ(run_with_input({"implicitize", "-o", scratch.path("out")}, good).status, 0);
+    EXPECT_EQ(scratch.read("out"), "# line\nx-y\n# cubic\nx^3-y\n");
+
+    const ProcessResult result =
+        run_with_input({"implicitize", "--format", "json"}, "patch bad\nx = u +\n" + good);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.errors.rfind("eliminant: -:2:8: ", 0), 0U) << result.errors;
+    std::istringstream lines(result.output);
+    std::string line;
+    std::vector<Json> reports;
+    while (std::getline(lines, line)) reports.push_back(Json::parse(line));
+    ASSERT_EQ(reports.size(), 3U);
+    EXPECT_EQ(reports[0].at("name"), "bad");
+    EXPECT_EQ(reports[0].at("error"), "-:2:8: expected a number, a name or a parenthesis, found end of line");
+    EXPECT_EQ(reports[1].at("name"), "line");
+    EXPECT_EQ(reports[2].at("equations"), Json::array({"x^3-y"}));
+    EXPECT_EQ(reports[2].at("degree"), 3);
+}
+
+TEST(Implicitize, ReadsTheTeapot) {
+    const fs::path teapot = fs::path(ELIMINANT_DATA_DIR) / "teapot" / "teapot.net";
+    const ProcessResult result = run({"implicitize", teapot.string()});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.errors, "");
+    EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 64);
+    EXPECT_EQ(result.output.rfind("# rim_1\n", 0), 0U);
 }
 
 TEST(Implicitize, TheVerboseAreToldTheProof) {

@@ -76,10 +76,14 @@ class Parametrization {
 ///
 /// Statements come in any sequence. `cos` and `sin` take an integer multiple of a parameter; a parameter that
 /// also occurs outside of them is an independent variable there, and the result carries a warning.
+///
+/// The text may be a control net of one piece instead (control_net.hpp), and begin with a line `patch NAME`
+/// (batch.hpp).
 /// \throws ParseError with the position of the first thing that does not fit; Stopped
 Parametrization parse_parametrization(const base::SourceText& source, base::Run& run);
 
-/// The same for statements given one by one, as on a command line; a text may hold several lines.
+/// The same for statements, not of control nets, given one by one, as on a command line; a text may hold
+/// several lines.
 Parametrization parse_parametrization(std::span<const base::SourceText> statements, base::Run& run);
 
 } // namespace eliminant::implicit
