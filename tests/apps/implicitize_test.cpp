@@ -163,7 +163,7 @@ TEST(Implicitize, ABatchIsPrintedShapeByShape) {
     const std::string good = "patch line\nbezier 1\n0 0\n1 1\npatch cubic\nx = t\ny = t^3\n";
     expect_output(run_with_input({"implicitize"}, good), "# line\nx-y\n# cubic\nx^3-y\n");
     expect_output(run_with_input({"implicitize", "--format", "latex"}, "patch a b\nx = t\ny = t^2\n"),
-                  "% a b\nx^{2}-y\n");
+                  "% a b\n\\[ x^{2}-y \\]\n");
     const ScratchDirectory scratch;
     EXPECT_EQ(run_with_input({"implicitize", "-o", scratch.path("out")}, good).status, 0);
     EXPECT_EQ(scratch.read("out"), "# line\nx-y\n# cubic\nx^3-y\n");
