@@ -25,14 +25,20 @@ struct Window {
     mpz_class width;
     long shift = 0; ///< at least 0
 
-    /// The image of numerator / 2^exponent, rounded towards zero.
+    /// The image of numerator / 2^exponent, rounded to nearest.
     double at(const mpz_class& numerator, unsigned long exponent) const {
         mpz_class sum = start;
         mpz_mul_2exp(sum.get_mpz_t(), sum.get_mpz_t(), exponent);
         sum += width * numerator;
-        long binary_exponent = 0;
-        const double mantissa = mpz_get_d_2exp(&binary_exponent, sum.get_mpz_t());
-        return std::ldexp(mantissa, static_cast<int>(binary_exponent - static_cast<long>(exponent) - shift));
+        const std::size_t bits = mpz_sizeinbase(sum.get_mpz_t(), 2);
+        long dropped = 0;
+        if (bits > 54) { // to 54 bits towards zero, then the last one away from it
+            dropped = static_cast<long>(bits) - 53;
+            mpz_tdiv_q_2exp(sum.get_mpz_t(), sum.get_mpz_t(), bits - 54);
+            sum += sgn(sum);
+            mpz_tdiv_q_2exp(sum.get_mpz_t(), sum.get_mpz_t(), 1);
+        }
+        return std::ldexp(sum.get_d(), static_cast<int>(dropped - static_cast<long>(exponent) - shift));
     }
 };
 
@@ -161,7 +167,7 @@ int sign_at(const Coefficients& p, const mpz_class& numerator, unsigned long exp
     return sgn(value);
 }
 
-/// The root as a double, by bisection until the ends of the interval around it are neighbours.
+/// The root as the nearest double, by bisection until both ends of the interval around it round to it.
 double refine(const Isolated& root, const Window& window, base::Run& run) {
     if (root.local.empty()) return window.at(root.position, root.level);
     const int sign_before = sgn(root.local[0]);
@@ -174,7 +180,8 @@ double refine(const Isolated& root, const Window& window, base::Run& run) {
         return window.at(position, root.level + bits);
     };
     constexpr unsigned long most_bits = 2200; // from the largest double to the smallest
-    while (bits < most_bits) {
+    int agreeing = 0;                         // a root halfway between two doubles never has them agree
+    while (bits < most_bits && agreeing < 16) {
         run.poll();
         ++bits;
         left *= 2;
@@ -185,7 +192,8 @@ double refine(const Isolated& root, const Window& window, base::Run& run) {
         if (root.level + bits < 50 || bits % 4 != 0) continue;
         const double low = end(left);
         const double high = end(left + 1);
-        if (std::nextafter(low, high) == high || low == high) break;
+        if (low == high) break;
+        if (std::nextafter(low, high) == high) ++agreeing;
     }
     return end(left);
 }
