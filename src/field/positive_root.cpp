@@ -55,6 +55,9 @@ double reach_of_higher(const FallingPolynomial& phi) {
 /// Newton's iteration on [0, most], where φ falls, then down until the sign is certain.
 double root_below(const FallingPolynomial& phi, double most) {
     double rho = most;
+    // Far out, where the higher powers rule, an iteration would gain only a factor (k − 1)/k.
+    if (const Sides sides = sides_at(phi, most); !(sides.lost <= 16 * sides.gained))
+        rho = std::min(most, reach_of_higher(phi));
     for (int i = 0; i < 40; ++i) {
         const Sides sides = sides_at(phi, rho);
         const double step = (sides.gained - sides.lost) / sides.slope;
