@@ -1,8 +1,7 @@
 #include "implicit/linear_method.hpp"
 
 #include "implicit/nullvector.hpp"
-#include "implicit/vanishing_polynomial.hpp"
-#include "implicit/verify_map_modulo.hpp"
+#include "implicit/section_solver.hpp"
 
 #include <algorithm>
 
@@ -15,6 +14,8 @@ using algebra::PrimeField;
 namespace {
 
 constexpr std::size_t max_terms = 6000;
+/// Where sections are possible: they pay from about here on.
+constexpr std::size_t max_terms_at_once = 200;
 /// Of the map in a parameter: of more, tables of powers would be the smallest of the problems.
 constexpr std::int64_t max_degree = 5000;
 
@@ -37,23 +38,40 @@ Polynomial polynomial_of(const algebra::Ring& ring, const Support& support,
     return builder.build().monic();
 }
 
+std::vector<std::uint64_t> weights_of(const RationalMap& map) {
+    std::vector<std::uint64_t> weights;
+    for (const RationalMap::Component& component : map.components)
+        weights.push_back(weight_of(map, component));
+    return weights;
+}
+
+/// All coefficients at once where they are few, from sections otherwise.
 class LinearMethod {
   public:
-    LinearMethod(const HypersurfaceProblem& problem, base::Run& run) : problem_(problem), run_(run) {
-        for (const RationalMap::Component& component : problem.map.components)
-            weights_.push_back(weight_of(problem.map, component));
-    }
+    LinearMethod(const HypersurfaceProblem& problem, base::Run& run)
+        : problem_(problem), run_(run), weights_(weights_of(problem.map)),
+          sections_(problem.map, weights_, max_terms) {}
 
     std::optional<Polynomial> image(const PrimeField& field) {
         const MapModulo map(problem_.map, field);
-        algebra::Random random(run_.seed() + field.characteristic());
-        const PointSource points = [&] { return random_image(map, random); };
         const algebra::Ring ring =
             problem_.ring.with_field(algebra::CoefficientField::prime(field.characteristic()));
-        if (support_.size() == 0) return learn(field, points, ring);
+        if (by_sections_) return image_by_sections(map, ring);
+        algebra::Random random(run_.seed() + field.characteristic());
+        const PointSource points = [&] { return random_image(map, random); };
+        if (support_.size() == 0) {
+            if (auto f = learn(field, points, ring)) return f;
+            by_sections_ = sections_.is_applicable();
+            return by_sections_ ? image_by_sections(map, ring) : std::nullopt;
+        }
         const auto coefficients = first_vanishing(field, support_, points, run_);
         if (!coefficients || coefficients->size() != support_.size()) return std::nullopt;
         return polynomial_of(ring, support_, *coefficients);
+    }
+
+    std::string describe() const {
+        return by_sections_ ? sections_.describe()
+                            : std::to_string(support_.size()) + " coefficients at once";
     }
 
   private:
@@ -65,11 +83,21 @@ class LinearMethod {
         return std::nullopt;
     }
 
+    std::optional<Polynomial> image_by_sections(const MapModulo& map, const algebra::Ring& ring) {
+        const auto image = sections_.image(map, run_);
+        if (!image) return std::nullopt;
+        return polynomial_of(ring, image->support, image->coefficients);
+    }
+
+    /// Tries the monomials of ascending degree.
     std::optional<Polynomial> learn(const PrimeField& field, const PointSource& points,
                                     const algebra::Ring& ring) {
+        const std::size_t limit = sections_.is_applicable() ? max_terms_at_once : max_terms;
         std::size_t size = 0;
-        for (std::uint64_t degree = 1; size < max_terms; degree = degree + (degree + 3) / 4) {
-            size = Support::count_up_to(weights_, degree, max_terms);
+        for (std::uint64_t degree = 1; size < limit; degree += (degree + 3) / 4) {
+            const std::size_t next = Support::count_up_to(weights_, degree, limit);
+            if (next == size) continue;
+            size = next;
             const Support candidates = Support::up_to(weights_, degree);
             const auto coefficients = first_vanishing(field, candidates, points, run_);
             if (!coefficients) continue;
@@ -82,6 +110,8 @@ class LinearMethod {
     const HypersurfaceProblem& problem_;
     base::Run& run_;
     std::vector<std::uint64_t> weights_;
+    SectionSolver sections_;
+    bool by_sections_ = false;
     Support support_{0};
 };
 
@@ -93,9 +123,11 @@ std::optional<HypersurfaceEquation> equation_by_linear_algebra(const Hypersurfac
         if (component.numerator.total_degree() > max_degree) return std::nullopt;
     if (problem.map.denominator.total_degree() > max_degree) return std::nullopt;
     LinearMethod method(problem, run);
-    return equation_from_images(
+    auto equation = equation_from_images(
         problem.ring, Echelon::prime_bound, [&](const PrimeField& field) { return method.image(field); },
         run);
+    if (equation) equation->how = method.describe();
+    return equation;
 }
 
 } // namespace eliminant::implicit

@@ -21,6 +21,16 @@ Support Support::where_nonzero(std::span<const std::uint32_t> coefficients) cons
     return result;
 }
 
+Support Support::embedded(std::size_t coordinates, std::span<const std::size_t> places) const {
+    Support result(coordinates);
+    std::vector<std::uint32_t> exponents(coordinates, 0);
+    for (std::size_t i = 0; i < size_; ++i) {
+        for (std::size_t j = 0; j < places.size(); ++j) exponents[places[j]] = (*this)[i][j];
+        result.add(exponents);
+    }
+    return result;
+}
+
 namespace {
 
 /// Calls `visit` for each exponent vector of exactly this weighted degree until it returns false.

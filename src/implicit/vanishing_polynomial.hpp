@@ -27,6 +27,9 @@ class Support {
     /// Those whose coefficients are not zero; there may be fewer coefficients than monomials.
     Support where_nonzero(std::span<const std::uint32_t> coefficients) const;
 
+    /// The same monomials in more coordinates: coordinate i becomes places[i].
+    Support embedded(std::size_t coordinates, std::span<const std::size_t> places) const;
+
     /// The monomials of weighted degree at most `degree`, ascending by weighted degree; weights are positive.
     static Support up_to(std::span<const std::uint64_t> weights, std::uint64_t degree);
     /// How many up_to() has, or `limit` if they are more.
