@@ -4,6 +4,7 @@
 #include "implicit/section_solver.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace eliminant::implicit {
 
@@ -40,8 +41,12 @@ Polynomial polynomial_of(const algebra::Ring& ring, const Support& support,
 
 std::vector<std::uint64_t> weights_of(const RationalMap& map) {
     std::vector<std::uint64_t> weights;
-    for (const RationalMap::Component& component : map.components)
+    std::uint64_t common = 0;
+    for (const RationalMap::Component& component : map.components) {
         weights.push_back(weight_of(map, component));
+        common = std::gcd(common, weights.back());
+    }
+    for (std::uint64_t& weight : weights) weight /= common;
     return weights;
 }
 

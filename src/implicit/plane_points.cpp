@@ -23,7 +23,7 @@ std::vector<PlanePoints::Element> PlanePoints::random_parameters() {
     return point;
 }
 
-void PlanePoints::solve() {
+std::optional<std::vector<PlanePoints::Element>> PlanePoints::solve() {
     const PrimeField& field = map_.field();
     const std::size_t coordinate = *fixed_.coordinate;
     const MapModulo::Line line = map_.restricted(random_parameters(), fixed_.variable);
@@ -37,23 +37,19 @@ void PlanePoints::solve() {
         equation[0] = field.subtract(equation[0], value_);
     }
     dense::trim(equation);
-    if (equation.empty()) return;
+    if (equation.empty()) return std::nullopt;
+    // Roots for the same other parameters are no general points to each other: where the map has a symmetry,
+    // as Henneberg's surface, their images are equal, or have equal squares.
     for (const Element root : roots(field, std::move(equation), random_, run_))
-        if (auto image = map_.image(line, root)) found_.push_back(std::move(*image));
+        if (auto image = map_.image(line, root)) return image;
+    return std::nullopt;
 }
 
 std::optional<std::vector<PlanePoints::Element>> PlanePoints::next() {
     constexpr int attempts = 200;
-    for (int i = 0; i < attempts && found_.empty(); ++i) {
-        if (fixed_.coordinate)
-            solve();
-        else if (auto image = map_.image(random_parameters()))
-            return image;
-    }
-    if (found_.empty()) return std::nullopt;
-    std::vector<Element> point = std::move(found_.front());
-    found_.pop_front();
-    return point;
+    for (int i = 0; i < attempts; ++i)
+        if (auto image = fixed_.coordinate ? solve() : map_.image(random_parameters())) return image;
+    return std::nullopt;
 }
 
 } // namespace eliminant::implicit

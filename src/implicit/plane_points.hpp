@@ -3,7 +3,6 @@
 
 #include "implicit/verify_map_modulo.hpp"
 
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -33,7 +32,7 @@ class PlanePoints {
 
   private:
     std::vector<Element> random_parameters();
-    void solve();
+    std::optional<std::vector<Element>> solve();
 
     const MapModulo& map_;
     const FixedCoordinates& fixed_;
@@ -41,7 +40,6 @@ class PlanePoints {
     Element value_;
     algebra::Random random_;
     base::Run& run_;
-    std::deque<std::vector<Element>> found_;
 };
 
 } // namespace eliminant::implicit
