@@ -83,15 +83,19 @@ void TilePainter::paint(const scene::Tile& tile, const Target& target, Scratch& 
         paint_fully(tile, target, scratch, run);
 }
 
-void TilePainter::sample(const Sampling& sampling, const scene::Tile& tile, std::vector<scene::Hit>& hits,
-                         std::vector<float>& colours, Scratch& scratch, base::Run& run) const {
-    hits.resize(tile.size());
-    colours.resize(3 * tile.size());
+void TilePainter::trace(const Sampling& sampling, const scene::Tile& tile, std::span<scene::Hit> hits,
+                        Scratch& scratch, base::Run& run) const {
     sampling.tracer->trace(tile, hits, run);
-    painter_.paint(sampling.rays, tile, hits, colours, scratch.samples, run);
     scratch.rays += tile.size();
     scratch.hit_count += static_cast<std::uint64_t>(std::count_if(
         hits.begin(), hits.end(), [](const scene::Hit& hit) { return static_cast<bool>(hit); }));
+}
+
+void TilePainter::sample_centres(const scene::Tile& tile, Scratch& scratch, base::Run& run) const {
+    scratch.hits.resize(tile.size());
+    scratch.colours.resize(3 * tile.size());
+    trace(centres_, tile, scratch.hits, scratch, run);
+    painter_.paint(centres_.rays, tile, scratch.hits, scratch.colours, scratch.samples, run);
 }
 
 void TilePainter::copy_depths(const scene::Tile& tile, const Target& target, const scene::Tile& traced,
@@ -108,7 +112,7 @@ void TilePainter::copy_depths(const scene::Tile& tile, const Target& target, con
 
 void TilePainter::paint_centres(const scene::Tile& tile, const Target& target, Scratch& scratch,
                                 base::Run& run) const {
-    sample(centres_, tile, scratch.hits, scratch.colours, scratch, run);
+    sample_centres(tile, scratch, run);
     for (std::size_t row = 0; row < tile.height; ++row)
         std::copy_n(&scratch.colours[3 * row * tile.width], 3 * tile.width,
                     target.colours + 3 * row * target.stride);
@@ -117,13 +121,11 @@ void TilePainter::paint_centres(const scene::Tile& tile, const Target& target, S
 
 void TilePainter::paint_fully(const scene::Tile& tile, const Target& target, Scratch& scratch,
                               base::Run& run) const {
-    for (std::size_t row = 0; row < tile.height; ++row)
-        refine({tile.column, tile.row + row, tile.width, 1}, target.colours + 3 * row * target.stride,
-               scratch, run);
+    scratch.is_marked.assign(tile.size(), 1);
+    refine_marked(tile, target, scratch, run);
     if (target.depths == nullptr) return;
     scratch.hits.resize(tile.size());
-    centres_.tracer->trace(tile, scratch.hits, run);
-    scratch.rays += tile.size();
+    trace(centres_, tile, scratch.hits, scratch, run);
     copy_depths(tile, target, tile, scratch);
 }
 
@@ -131,42 +133,74 @@ void TilePainter::paint_adaptively(const scene::Tile& tile, const Target& target
                                    base::Run& run) const {
     // In the grid of centres, which has the border, the tile and its own border begin at the tile's numbers.
     const scene::Tile traced{tile.column, tile.row, tile.width + 2, tile.height + 2};
-    sample(centres_, traced, scratch.hits, scratch.colours, scratch, run);
+    sample_centres(traced, scratch, run);
     for (std::size_t row = 0; row < tile.height; ++row)
         std::copy_n(&scratch.colours[3 * ((row + 1) * traced.width + 1)], 3 * tile.width,
                     target.colours + 3 * row * target.stride);
     copy_depths(tile, target, traced, scratch);
 
     const BorderedColours seen(scratch.colours, traced.width);
-    for (std::size_t row = 0; row < tile.height; ++row) {
-        std::size_t begin = 0;
-        while (begin < tile.width) {
-            while (begin < tile.width && !seen.is_edge(begin + 1, row + 1)) ++begin;
-            std::size_t end = begin;
-            while (end < tile.width && seen.is_edge(end + 1, row + 1)) ++end;
-            if (begin < end)
-                refine({tile.column + begin, tile.row + row, end - begin, 1},
-                       target.colours + 3 * (row * target.stride + begin), scratch, run);
-            begin = end;
-        }
-    }
+    scratch.is_marked.resize(tile.size());
+    for (std::size_t i = 0; i < tile.size(); ++i)
+        scratch.is_marked[i] = seen.is_edge(i % tile.width + 1, i / tile.width + 1) ? 1 : 0;
+    refine_marked(tile, target, scratch, run);
 }
 
-/// The pixels of one row by n × n samples each, all of equal weight.
-void TilePainter::refine(const scene::Tile& pixels, float* colours, Scratch& scratch, base::Run& run) const {
+/// All marked pixels of a tile, block by block.
+///
+/// Blocks of about 32 × 32 rays: where many pixels are marked, tracing the others, too, is cheaper than
+/// tracing the marked ones singly (a quarter of the time for Barth's sextic with n = 4).
+void TilePainter::refine_marked(const scene::Tile& tile, const Target& target, Scratch& scratch,
+                                base::Run& run) const {
+    const std::size_t side = std::max(std::size_t{1}, std::size_t{32} / options_.antialias);
+    for (std::size_t row = 0; row < tile.height; row += side)
+        for (std::size_t column = 0; column < tile.width; column += side)
+            refine(tile,
+                   {column, row, std::min(side, tile.width - column), std::min(side, tile.height - row)},
+                   target, scratch, run);
+}
+
+/// The marked pixels of a block by n × n samples each, all of equal weight.
+void TilePainter::refine(const scene::Tile& tile, const scene::Tile& block, const Target& target,
+                         Scratch& scratch, base::Run& run) const {
     const std::size_t n = options_.antialias;
-    const scene::Tile fine{n * pixels.column, n * pixels.row, n * pixels.width, n};
-    sample(fine_, fine, scratch.fine_hits, scratch.fine_colours, scratch, run);
-    scratch.refined_pixels += pixels.width;
+    const auto is_marked = [&](std::size_t column, std::size_t row) {
+        return scratch.is_marked[(block.row + row) * tile.width + block.column + column] != 0;
+    };
+    std::size_t marked = 0;
+    for (std::size_t i = 0; i < block.size(); ++i)
+        marked += is_marked(i % block.width, i / block.width) ? 1 : 0;
+    if (marked == 0) return;
+    scratch.refined_pixels += marked;
+
+    const scene::Tile fine{n * (tile.column + block.column), n * (tile.row + block.row), n * block.width,
+                           n * block.height};
+    scratch.fine_hits.resize(fine.size());
+    scratch.fine_colours.resize(3 * fine.size());
+    trace(fine_, fine, scratch.fine_hits, scratch, run);
+    // What is not marked need not be painted.
+    for (std::size_t i = 0; i < fine.size(); ++i)
+        if (!is_marked(i % fine.width / n, i / fine.width / n)) scratch.fine_hits[i] = {};
+    painter_.paint(fine_.rays, fine, scratch.fine_hits, scratch.fine_colours, scratch.samples, run);
+
+    for (std::size_t row = 0; row < block.height; ++row)
+        for (std::size_t column = 0; column < block.width; ++column)
+            if (is_marked(column, row))
+                average(&scratch.fine_colours[3 * (row * n * fine.width + column * n)], fine.width,
+                        target.colours + 3 * ((block.row + row) * target.stride + block.column + column));
+}
+
+/// The mean of n × n samples, of which the first is given.
+void TilePainter::average(const float* samples, std::size_t stride, float* colour) const {
+    const std::size_t n = options_.antialias;
     const float weight = 1 / static_cast<float>(n * n);
-    for (std::size_t pixel = 0; pixel < pixels.width; ++pixel)
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            float sum = 0;
-            for (std::size_t row = 0; row < n; ++row)
-                for (std::size_t column = 0; column < n; ++column)
-                    sum += scratch.fine_colours[3 * (row * fine.width + pixel * n + column) + channel];
-            colours[3 * pixel + channel] = weight * sum;
-        }
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        float sum = 0;
+        for (std::size_t row = 0; row < n; ++row)
+            for (std::size_t column = 0; column < n; ++column)
+                sum += samples[3 * (row * stride + column) + channel];
+        colour[channel] = weight * sum;
+    }
 }
 
 std::optional<SphereStatistics> TilePainter::stepping() const {

@@ -23,6 +23,7 @@ class TilePainter {
     struct Scratch {
         std::vector<scene::Hit> hits;
         std::vector<float> colours;
+        std::vector<std::uint8_t> is_marked; ///< pixels of the tile to be refined
         std::vector<scene::Hit> fine_hits;
         std::vector<float> fine_colours;
         SamplePainter::Scratch samples;
@@ -51,14 +52,18 @@ class TilePainter {
         const SphereTracer* stepper = nullptr; ///< the tracer, if it steps
     };
     Sampling make_sampling(const scene::RayGrid& rays, base::Run& run) const;
-    void sample(const Sampling& sampling, const scene::Tile& tile, std::vector<scene::Hit>& hits,
-                std::vector<float>& colours, Scratch& scratch, base::Run& run) const;
+    void trace(const Sampling& sampling, const scene::Tile& tile, std::span<scene::Hit> hits,
+               Scratch& scratch, base::Run& run) const;
+    void sample_centres(const scene::Tile& tile, Scratch& scratch, base::Run& run) const;
 
     void paint_centres(const scene::Tile& tile, const Target& target, Scratch& scratch, base::Run& run) const;
     void paint_fully(const scene::Tile& tile, const Target& target, Scratch& scratch, base::Run& run) const;
     void paint_adaptively(const scene::Tile& tile, const Target& target, Scratch& scratch,
                           base::Run& run) const;
-    void refine(const scene::Tile& pixels, float* colours, Scratch& scratch, base::Run& run) const;
+    void refine_marked(const scene::Tile& tile, const Target& target, Scratch& scratch, base::Run& run) const;
+    void refine(const scene::Tile& tile, const scene::Tile& block, const Target& target, Scratch& scratch,
+                base::Run& run) const;
+    void average(const float* samples, std::size_t stride, float* colour) const;
     void copy_depths(const scene::Tile& tile, const Target& target, const scene::Tile& traced,
                      Scratch& scratch) const;
 
