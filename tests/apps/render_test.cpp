@@ -47,19 +47,21 @@ struct Case {
     std::string name;
     int degree = 0;
     std::vector<std::string> arguments;
-    std::vector<std::string> expected; ///< 16 × 16 words, as in depths.txt
+    std::vector<std::string> expected; ///< 32 × 32 words, as in the file of data/surfaces/rays
 };
 
 std::string joined(const nlohmann::json& words) {
     std::string text;
-    for (const auto& word : words) text += (text.empty() ? "" : ",") + word.get<std::string>();
+    for (const auto& word : words) {
+        if (!text.empty()) text += ',';
+        text += word.get<std::string>();
+    }
     return text;
 }
 
 std::vector<Case> cases() {
     const std::string folder = std::string(ELIMINANT_DATA_DIR) + "/surfaces/";
     std::ifstream surfaces(folder + "surfaces.jsonl");
-    std::ifstream depths(folder + "depths.txt");
     std::vector<Case> result;
     for (std::string line; std::getline(surfaces, line);) {
         const nlohmann::json surface = nlohmann::json::parse(line);
@@ -75,13 +77,11 @@ std::vector<Case> cases() {
                           "--up",      joined(camera.at("up")),
                           "--fov",     "30.219150244680932",
                           "--clip",    "sphere:" + surface.at("clip").at("sphere_radius").get<std::string>()};
+        std::ifstream rays(folder + "rays/" + item.name + ".txt");
         std::string word;
-        depths >> word;
-        EXPECT_EQ(word, item.name);
-        for (int i = 0; i < 256; ++i) {
-            depths >> word;
-            item.expected.push_back(word);
-        }
+        std::getline(rays, word); // a heading
+        while (rays >> word) item.expected.push_back(word);
+        EXPECT_EQ(item.expected.size(), 32U * 32U) << item.name;
         result.push_back(std::move(item));
     }
     return result;
@@ -93,7 +93,7 @@ int wrong_pixels(const Case& item, const std::vector<double>& depths) {
     for (std::size_t i = 0; i < item.expected.size(); ++i) {
         const std::string& expected = item.expected[i];
         if (expected == "?") continue;
-        const double found = depths.at((8 * (i / 16) + 3) * 128 + 8 * (i % 16) + 5);
+        const double found = depths.at((4 * (i / 32) + 2) * 128 + 4 * (i % 32) + 2);
         const double right = expected == "-" ? infinity : std::stod(expected);
         if (found != right && !(std::abs(found - right) <= 1e-9 * right)) ++wrong;
     }
@@ -131,7 +131,8 @@ TEST(Render, EstimatesAreMostlyRight) {
             std::vector<std::string> arguments = item.arguments;
             arguments.insert(arguments.end(), {"--depth", scratch.path("depths"), "--bound", bound});
             expect_quiet_success(run(arguments));
-            EXPECT_LE(wrong_pixels(item, depths_of(scratch.read("depths"))), 25) << item.name << ' ' << bound;
+            EXPECT_LE(wrong_pixels(item, depths_of(scratch.read("depths"))), 100)
+                << item.name << ' ' << bound;
         }
     }
 }
@@ -202,8 +203,8 @@ TEST(Render, RegionsAreIntersected) {
     const ScratchDirectory scratch;
     // Looking along −z at the half z ≤ 0: the sphere's far side, and nothing where x > 1/2.
     expect_quiet_success(run({"render", "x^2+y^2+z^2 = 1", "--size", "41x41", "--camera", "0,0,5",
-                              "--orthographic", "2", "--clip", "halfspace:0,0,1,0", "--clip",
-                              "box:-2,-2,-2,1/2,2,2", "--depth", scratch.path("depths")}));
+                              "--look-at", "0,0,0", "--orthographic", "2", "--clip", "halfspace:0,0,1,0",
+                              "--clip", "box:-2,-2,-2,1/2,2,2", "--depth", scratch.path("depths")}));
     const std::vector<double> depths = depths_of(scratch.read("depths"));
     ASSERT_EQ(depths.size(), 41U * 41U);
     EXPECT_NEAR(depths[20 * 41 + 20], 6, 1e-12);
