@@ -19,3 +19,7 @@ step("${SCRATCH_DIR}/build/consumer")
 if(NOT step_output STREQUAL "x^2+y^2-1\n")
   message(FATAL_ERROR "the consumer printed: ${step_output}")
 endif()
+step("${SCRATCH_DIR}/build/renderer")
+if(NOT step_output MATCHES "\n +[^ \n]+ +[^ \n]+ +\n") # a row of the torus with its hole
+  message(FATAL_ERROR "the renderer printed: ${step_output}")
+endif()
