@@ -1,6 +1,7 @@
 #include "eliminant/implicit/implicitize.hpp"
 
 #include "implicit/closure.hpp"
+#include "implicit/cylinder.hpp"
 #include "implicit/domain.hpp"
 #include "implicit/hypersurface.hpp"
 #include "implicit/kernel.hpp"
@@ -88,7 +89,14 @@ class Implicitization {
     /// Whether a method for hypersurfaces, of those that may be tried, found the equation; it is proved.
     bool by_method_for_hypersurfaces() {
         const RationalMap map = map_of(parametrization_, run_);
-        const ScaledProblem scaled = hypersurface_problem(map, hypersurface_ring_, run_);
+        std::vector<Cylinder> cylinders; // each over the base of the one before
+        std::vector<algebra::Ring> rings = {hypersurface_ring_};
+        while (auto cylinder = as_cylinder(cylinders.empty() ? map : cylinders.back().base)) {
+            rings.push_back(base_ring(*cylinder, rings.back()));
+            cylinders.push_back(std::move(*cylinder));
+        }
+        const ScaledProblem scaled =
+            hypersurface_problem(cylinders.empty() ? map : cylinders.back().base, rings.back(), run_);
         for (const Method method : methods_to_try(method_, scaled.problem)) {
             const std::string name(to_string(method));
             const auto found = hypersurface_method(method)(scaled.problem, run_);
@@ -97,6 +105,7 @@ class Implicitization {
                 continue;
             }
             Polynomial f = with_scales(found->equation, scaled.scales, run_);
+            for (std::size_t i = cylinders.size(); i-- > 0;) f = lifted(cylinders[i], f, rings[i], run_);
             result_.claims = prove_hypersurface(map, f, run_);
             if (!result_.claims) {
                 result_.choice += "what the method " + name + " found could not be proved; ";
