@@ -28,7 +28,7 @@ std::optional<std::vector<mpq_class>> constant_direction(const RationalMap& map,
 } // namespace
 
 std::optional<Cylinder> as_cylinder(const RationalMap& map) {
-    if (map.components.size() - map.constants.size() < 2) return std::nullopt;
+    if (map.components.size() - map.constants.size() < 3) return std::nullopt; // points are no base
     for (const std::size_t parameter : map.parameters) {
         auto direction = constant_direction(map, parameter);
         if (!direction) continue;

@@ -19,7 +19,7 @@ struct Cylinder {
     std::vector<mpq_class> slope; ///< aᵢ/a_j, one a coordinate xᵢ; 0 for constants
 };
 
-/// nullopt if there is no such parameter.
+/// nullopt if there is no such parameter, or the base would be one of points on a line.
 std::optional<Cylinder> as_cylinder(const RationalMap& map);
 
 /// The ring of the base's coordinates.

@@ -90,7 +90,7 @@ TEST(ResultantMethod, LeavesToOthersWhatItIsNotMadeFor) {
              "constants r\nx = r*cos(u)\ny = r*sin(u)+1", // symbols
              "x = s+t+u\ny = s*t\nz = t*u\nw = s*t*u+1",  // four coordinates
              "relation s^2+t^2 = 1\nx = s\ny = s*t",      // relations
-             "x = s+u\ny = t\nz = s+u+t^2",               // more parameters than it takes
+             "x = s*u\ny = t\nz = s*u+t^2",               // more parameters than it takes
          })
         EXPECT_FALSE(agrees(text)) << text;
 }
