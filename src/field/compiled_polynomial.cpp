@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <string>
 
 namespace eliminant::field {
@@ -181,10 +182,10 @@ JetError CompiledPolynomial::error_bound(const glm::dvec3& point) const {
     double sum = 0;
     double first = 0;
     double half_second = 0;
-    for (auto c = data_->majorant.rbegin(); c != data_->majorant.rend(); ++c) {
+    for (const double c : std::views::reverse(data_->majorant)) {
         half_second = half_second * r + first;
         first = first * r + sum;
-        sum = sum * r + *c;
+        sum = sum * r + c;
     }
     const double factor = data_->error_factor;
     return {never_nan(factor * sum), never_nan(factor * first), never_nan(factor * 2 * half_second)};

@@ -127,7 +127,7 @@ Estimate<double> guaranteed_bound(const LocalForms<double>& forms) {
     phi.linear = (gradient_norm(forms) + forms.error(1)) * up;
     // Towards 0 is down where f > 0.
     const double towards = forms.value > 0 ? -1 : 1;
-    const double turn = largest_eigenvalue(towards * forms.half_hessian, 0x1p-46);
+    const double turn = largest_eigenvalue_bound(towards * forms.half_hessian, 0x1p-46);
     phi.quadratic = turn + forms.error(2);
     phi.quadratic += std::abs(phi.quadratic) * 0x1p-50;
     const double rho = positive_until(phi);

@@ -2,7 +2,6 @@
 /// Eigenvalues of symmetric 3 × 3 matrices in closed form, for any real type.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 namespace eliminant::field {
@@ -27,43 +26,70 @@ Real largest_entry(const Symmetric<Real>& a) {
     return result;
 }
 
-/// The largest eigenvalue, plus `slack` · (size of the matrix) or a little more. With slack ≥ 64 units of
-/// rounding the result is not below the true value.
-///
-/// With A = q·1 + p·B, q = tr A/3, ‖B‖² = 6, the eigenvalues of B are 2cos((acos(det B/2) + 2πi)/3) (Smith
-/// 1961). They are functions of det B, rising for the largest one; so what rounding does to det B, which is
-/// of order 1, is made good by raising it. Where two eigenvalues nearly agree that costs √slack.
+/// A = size·(q·1 + p·B) with tr B = 0 and ‖B‖² = 6, after which the eigenvalues of B are 2cos(φ + 2πi/3) for
+/// 3φ = acos(det B/2) (Smith 1961).
 template <class Real>
-Real largest_eigenvalue(const Symmetric<Real>& matrix, const Real& slack) {
-    using std::acos;
-    using std::cos;
+struct Deviator {
+    Real size, q, p;
+    Real half_det; ///< det B/2; of no meaning where p is 0
+};
+
+template <class Real>
+Deviator<Real> deviator(const Symmetric<Real>& matrix) {
     using std::sqrt;
-    const Real size = largest_entry(matrix);
-    if (!(size > 0)) return size; // 0, or NaN
-    const Symmetric<Real> a = Real(1 / size) * matrix;
-    const Real q = (a.xx + a.yy + a.zz) / 3;
-    const Real x = a.xx - q;
-    const Real y = a.yy - q;
-    const Real z = a.zz - q;
+    Deviator<Real> result{largest_entry(matrix), 0, 0, 0};
+    if (!(result.size > 0)) return result; // 0, or NaN
+    const Symmetric<Real> a = Real(1 / result.size) * matrix;
+    result.q = (a.xx + a.yy + a.zz) / 3;
+    const Real x = a.xx - result.q;
+    const Real y = a.yy - result.q;
+    const Real z = a.zz - result.q;
     const Real off = a.xy * a.xy + a.xz * a.xz + a.yz * a.yz;
-    const Real p = sqrt((x * x + y * y + z * z + 2 * off) / 6);
-    Real cosine = 1; // for p near 0 too: 2p then bounds the difference from q
-    if (p > slack) {
-        const Real det =
-            x * (y * z - a.yz * a.yz) - a.xy * (a.xy * z - a.yz * a.xz) + a.xz * (a.xy * a.yz - y * a.xz);
-        // det is of order p·1·1 with an absolute error of a few units, which the division by p³ magnifies.
-        const Real ratio = det / (2 * p * p * p) + slack / (p * p * p);
-        if (ratio < 1) cosine = ratio > -1 ? Real(cos(acos(ratio) / 3)) : Real(0.5);
-    }
-    return size * (q + 2 * p * cosine + slack);
+    result.p = sqrt(Real((x * x + y * y + z * z + 2 * off) / 6));
+    const Real det =
+        x * (y * z - a.yz * a.yz) - a.xy * (a.xy * z - a.yz * a.xz) + a.xz * (a.xy * a.yz - y * a.xz);
+    result.half_det = det / (2 * result.p * result.p * result.p);
+    return result;
 }
 
-/// The largest absolute value of an eigenvalue, in the same way.
+/// A number that is not below the largest eigenvalue, rounding included, and above it by little more than
+/// `slack` times the size of the matrix; `slack` is at least 64 units of rounding.
+///
+/// The eigenvalue rises with det B; so what rounding does to det B is made good by raising it: det A has an
+/// error of a few units, which the division by p³ magnifies. Where the two largest eigenvalues nearly agree
+/// that costs √slack.
 template <class Real>
-Real spectral_norm(const Symmetric<Real>& a, const Real& slack) {
-    const Real high = largest_eigenvalue(a, slack);
-    const Real low = largest_eigenvalue(Real(-1) * a, slack);
-    return high > low ? high : low;
+Real largest_eigenvalue_bound(const Symmetric<Real>& matrix, const Real& slack) {
+    using std::acos;
+    using std::cos;
+    const Deviator<Real> a = deviator(matrix);
+    if (!(a.size > 0)) return a.size;
+    Real cosine = 1; // 2p bounds the difference from q in any case
+    if (a.p > slack) {
+        const Real raised = a.half_det + slack / (a.p * a.p * a.p);
+        if (raised < 1) cosine = raised > -1 ? Real(cos(acos(raised) / 3)) : Real(0.5);
+    }
+    return a.size * (a.q + 2 * a.p * cosine + slack);
+}
+
+/// The largest absolute value of an eigenvalue; where eigenvalues nearly agree it has half the digits of
+/// Real.
+template <class Real>
+Real spectral_norm(const Symmetric<Real>& matrix) {
+    using std::abs;
+    using std::acos;
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    const Deviator<Real> a = deviator(matrix);
+    if (!(a.size > 0)) return a.size;
+    if (!(a.p > 0)) return a.size * abs(a.q);
+    const Real clamped = a.half_det > 1 ? Real(1) : a.half_det < -1 ? Real(-1) : a.half_det;
+    const Real angle = acos(clamped) / 3;
+    const Real cosine = cos(angle);
+    const Real largest = a.q + 2 * a.p * cosine;
+    const Real smallest = a.q - a.p * (cosine + sqrt(Real(3)) * sin(angle));
+    return a.size * (abs(largest) > abs(smallest) ? abs(largest) : abs(smallest));
 }
 
 } // namespace eliminant::field

@@ -62,7 +62,7 @@ Estimate<Real> estimate(const LocalForms<Real>& forms, DistanceLevel level) {
     const Real size = abs(forms.value);
     const Real g = gradient_norm(forms);
     Real m = 0;
-    if (level == DistanceLevel::second_order) m = spectral_norm(forms.half_hessian, Real(0));
+    if (level == DistanceLevel::second_order) m = spectral_norm(forms.half_hessian);
     if (level == DistanceLevel::second_order_frobenius) m = frobenius_norm(forms.half_hessian);
     const Real divisor = g + sqrt(Real(g * g + 4 * m * size));
     const Real rho = 2 * size / divisor;

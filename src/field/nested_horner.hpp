@@ -201,6 +201,14 @@ class NestedHorner {
             if (row.count > row.constants || row.count > 1) {
                 const RowSum add = row_sum(scheme, row, coefficients, v, w);
                 sum.f = A::multiply_add(sum.f, u, add.f);
+                if (!row.v_before && !row.w_before) { // these are still 0
+                    sum.v = add.v;
+                    sum.w = add.w;
+                    sum.vv = add.vv;
+                    sum.vw = add.vw;
+                    sum.ww = add.ww;
+                    continue;
+                }
                 sum.v = A::multiply_add(sum.v, u, add.v);
                 sum.w = A::multiply_add(sum.w, u, add.w);
                 sum.vv = A::multiply_add(sum.vv, u, add.vv);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace eliminant::field {
 
@@ -20,9 +21,9 @@ struct Sides {
 Sides sides_at(const FallingPolynomial& phi, double rho) {
     double sum = 0;
     double derivative = 0;
-    for (auto a = phi.higher.rbegin(); a != phi.higher.rend(); ++a) {
+    for (const double a : std::views::reverse(phi.higher)) {
         derivative = derivative * rho + sum;
-        sum = sum * rho + *a;
+        sum = sum * rho + a;
     }
     const double square = rho * rho;
     Sides result{phi.value, (sum * rho) * square + phi.linear * rho, 0};
