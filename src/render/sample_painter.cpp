@@ -24,9 +24,18 @@ double largest_part(const glm::dvec3& v) {
     return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
 }
 
+/// The rays of one of n × n samples.
+Occlusion share_of(Occlusion all, std::uint32_t n) {
+    const auto share = [&](std::uint32_t rays) { return (rays + n * n - 1) / (n * n); };
+    all.shadow_rays = share(all.shadow_rays);
+    all.ambient_rays = share(all.ambient_rays);
+    return all;
+}
+
 } // namespace
 
 struct SamplePainter::Samples {
+    const OcclusionProbe& probe;
     const scene::RayGrid& rays;
     const scene::Tile& tile;
     std::span<const scene::Hit> hits;
@@ -45,7 +54,8 @@ SamplePainter::SamplePainter(const scene::Surface& surface, const Camera& camera
                              const RenderOptions& options, std::uint64_t seed)
     : surface_(surface), background_(lighting.background), light_count_(lighting.lights.size()),
       colouring_(options.colouring), shader_(lighting),
-      probe_(surface, clip, lighting, options.occlusion, seed) {
+      probe_(surface, clip, lighting, options.occlusion, seed),
+      share_probe_(surface, clip, lighting, share_of(options.occlusion, options.antialias), seed) {
     const scene::Ball ball = clip.bounding_ball().value_or(scene::Ball{});
     const glm::dvec3 to_ball = ball.center - camera.origin();
     const double middle =
@@ -55,10 +65,10 @@ SamplePainter::SamplePainter(const scene::Surface& surface, const Camera& camera
     far_ = std::max(near_, middle + radius_);
 }
 
-void SamplePainter::paint(const scene::RayGrid& rays, const scene::Tile& tile,
+void SamplePainter::paint(Density density, const scene::RayGrid& rays, const scene::Tile& tile,
                           std::span<const scene::Hit> hits, std::span<float> colours, Scratch& scratch,
                           const base::Run& run) const {
-    const Samples samples{rays, tile, hits, colours};
+    const Samples samples{density == Density::single ? probe_ : share_probe_, rays, tile, hits, colours};
     ShadingBatch& batch = scratch.batch;
     batch.count = 0;
     std::size_t sample = 0;
@@ -91,7 +101,7 @@ void SamplePainter::paint_batch(const Samples& samples, Scratch& scratch, const 
     orient(batch);
     if (colouring_ == Colouring::material) {
         std::fill_n(batch.openness.begin(), batch.count, 1.0F);
-        if (probe_.has_shadows() || probe_.has_ambient()) occlude(samples, scratch, run);
+        if (samples.probe.has_shadows() || samples.probe.has_ambient()) occlude(samples, scratch, run);
         shader_.shade(batch);
         for (std::size_t i = 0; i < batch.count; ++i)
             samples.set(scratch.sample[i], {batch.colour[0][i], batch.colour[1][i], batch.colour[2][i]});
@@ -104,7 +114,7 @@ void SamplePainter::paint_batch(const Samples& samples, Scratch& scratch, const 
 
 void SamplePainter::occlude(const Samples& samples, Scratch& scratch, const base::Run& run) const {
     ShadingBatch& batch = scratch.batch;
-    if (probe_.has_shadows()) batch.visibility.resize(light_count_);
+    if (samples.probe.has_shadows()) batch.visibility.resize(light_count_);
     for (std::size_t i = 0; i < batch.count; ++i) {
         run.poll();
         const std::size_t sample = scratch.sample[i];
@@ -113,8 +123,9 @@ void SamplePainter::occlude(const Samples& samples, Scratch& scratch, const base
                                           samples.tile.column + sample % samples.tile.width,
                                           samples.tile.row + sample / samples.tile.width};
         for (std::size_t light = 0; light < batch.visibility.size(); ++light)
-            batch.visibility[light][i] = probe_.visibility(place, light, scratch.occlusion_rays);
-        if (probe_.has_ambient()) batch.openness[i] = probe_.openness(place, scratch.occlusion_rays);
+            batch.visibility[light][i] = samples.probe.visibility(place, light, scratch.occlusion_rays);
+        if (samples.probe.has_ambient())
+            batch.openness[i] = samples.probe.openness(place, scratch.occlusion_rays);
     }
 }
 

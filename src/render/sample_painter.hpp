@@ -26,9 +26,14 @@ class SamplePainter {
         std::uint64_t occlusion_rays = 0;
     };
 
+    /// How many samples a pixel has. Where it has n × n, each sends only its share of the rays for shadows
+    /// and occlusion.
+    enum class Density : unsigned char { single, several };
+
     /// The colours of the rays of a tile, given their hits; 3 · tile.size() floats.
-    void paint(const scene::RayGrid& rays, const scene::Tile& tile, std::span<const scene::Hit> hits,
-               std::span<float> colours, Scratch& scratch, const base::Run& run) const;
+    void paint(Density density, const scene::RayGrid& rays, const scene::Tile& tile,
+               std::span<const scene::Hit> hits, std::span<float> colours, Scratch& scratch,
+               const base::Run& run) const;
 
   private:
     struct Samples; // the arguments of paint
@@ -43,7 +48,8 @@ class SamplePainter {
     Colouring colouring_;
     Shader shader_;
     OcclusionProbe probe_;
-    double near_; ///< depths of the ends of the clip region's bounding ball
+    OcclusionProbe share_probe_; ///< for one of several samples
+    double near_;                ///< depths of the ends of the clip region's bounding ball
     double far_;
     double radius_; ///< of that ball
 };

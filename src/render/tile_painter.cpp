@@ -95,7 +95,8 @@ void TilePainter::sample_centres(const scene::Tile& tile, Scratch& scratch, base
     scratch.hits.resize(tile.size());
     scratch.colours.resize(3 * tile.size());
     trace(centres_, tile, scratch.hits, scratch, run);
-    painter_.paint(centres_.rays, tile, scratch.hits, scratch.colours, scratch.samples, run);
+    painter_.paint(SamplePainter::Density::single, centres_.rays, tile, scratch.hits, scratch.colours,
+                   scratch.samples, run);
 }
 
 void TilePainter::copy_depths(const scene::Tile& tile, const Target& target, const scene::Tile& traced,
@@ -181,7 +182,8 @@ void TilePainter::refine(const scene::Tile& tile, const scene::Tile& block, cons
     // What is not marked need not be painted.
     for (std::size_t i = 0; i < fine.size(); ++i)
         if (!is_marked(i % fine.width / n, i / fine.width / n)) scratch.fine_hits[i] = {};
-    painter_.paint(fine_.rays, fine, scratch.fine_hits, scratch.fine_colours, scratch.samples, run);
+    painter_.paint(SamplePainter::Density::several, fine_.rays, fine, scratch.fine_hits, scratch.fine_colours,
+                   scratch.samples, run);
 
     for (std::size_t row = 0; row < block.height; ++row)
         for (std::size_t column = 0; column < block.width; ++column)

@@ -27,7 +27,8 @@ enum class Colouring : unsigned char {
 };
 
 /// Shadows and ambient occlusion: what keeps light away. Both are found with rays, so they are as exact as
-/// the surface's own answers; only their number is finite.
+/// the surface's own answers; only their number is finite. Numbers of rays are for a pixel: its samples share
+/// them.
 struct Occlusion {
     bool shadows = false;
     /// Rays for each light whose angular radius is not 0; one for the others. In [1, 1024].
