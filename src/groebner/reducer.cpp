@@ -23,7 +23,7 @@ class TableReducer final : public Reducer<Domain> {
 
     TableReducer(const Domain& domain, const Basis<Element>& basis, const Grading& grading, base::Run& run)
         : domain_(domain), basis_(basis), layout_(basis.layout()), grading_(grading), run_(run),
-          store_(basis), sums_(domain), multiplier_(layout_.words()) {}
+          store_(basis), sums_(domain, run), multiplier_(layout_.words()) {}
 
     Reduction<Element> s_polynomial(std::size_t i, std::size_t j, const Word* lcm) override {
         begin();

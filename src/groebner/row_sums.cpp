@@ -12,13 +12,19 @@ namespace {
 /// noise.
 constexpr std::size_t first_collapse_bits = 128;
 
-void divide_all(std::vector<Integer>& values, const Integer& divisor) {
-    for (Integer& c : values) c.divide_exactly(divisor);
+void divide_all(std::vector<Integer>& values, const Integer& divisor, const base::Run& run) {
+    for (Integer& c : values) {
+        run.poll();
+        c.divide_exactly(divisor);
+    }
 }
 
 /// gcd(start, values), from the last one on, as later coefficients of a reduction tend to be shorter.
-Integer content_of(const std::vector<Integer>& values, Integer start = Integer()) {
-    for (std::size_t k = values.size(); k-- > 0 && !start.is_one();) start = gcd(start, values[k]);
+Integer content_of(const std::vector<Integer>& values, const base::Run& run, Integer start = Integer()) {
+    for (std::size_t k = values.size(); k-- > 0 && !start.is_one();) {
+        run.poll();
+        start = gcd(start, values[k]);
+    }
     return start;
 }
 
@@ -64,6 +70,7 @@ Integer RowSums<algebra::IntegerDomain>::collect(Cell& cell) {
         }
         if (!large) large_sum_ = 0;
         large = true;
+        run_.poll();
         mpz_addmul(large_sum_.get_mpz_t(), Integer::View(row.q), Integer::View(c));
     }
     if (last != 0) { // the whole list becomes free at once
@@ -90,7 +97,9 @@ Integer RowSums<algebra::IntegerDomain>::eliminate(const Integer& value,
     factor.divide_exactly(common);
     if (factor.is_one()) return q;
     for (Row& row : rows_) {
-        if (row.pending != 0) row.q *= factor;
+        if (row.pending == 0) continue;
+        run_.poll();
+        row.q *= factor;
     }
     scale_bits_ += factor.bit_length();
     rescalings_.push_back({result_.size(), std::move(factor)});
@@ -102,21 +111,27 @@ void RowSums<algebra::IntegerDomain>::settle_result() {
     std::size_t end = result_.size();
     for (std::size_t k = rescalings_.size(); k-- > 0;) {
         const Rescaling& rescaling = rescalings_[k];
-        for (std::size_t i = rescaling.emitted_before; i < end && !scale.is_one(); ++i) result_[i] *= scale;
+        for (std::size_t i = rescaling.emitted_before; i < end && !scale.is_one(); ++i) {
+            run_.poll();
+            result_[i] *= scale;
+        }
         end = rescaling.emitted_before;
         scale *= rescaling.factor;
     }
-    for (std::size_t i = 0; i < end && !scale.is_one(); ++i) result_[i] *= scale;
+    for (std::size_t i = 0; i < end && !scale.is_one(); ++i) {
+        run_.poll();
+        result_[i] *= scale;
+    }
     rescalings_.clear();
 }
 
 void RowSums<algebra::IntegerDomain>::collapse(std::vector<Integer> values) {
     settle_result();
-    const Integer content = content_of(result_, content_of(values));
+    const Integer content = content_of(result_, run_, content_of(values, run_));
     const std::size_t content_bits = content.bit_length();
     if (content_bits > 1) {
-        divide_all(values, content);
-        divide_all(result_, content);
+        divide_all(values, content, run_);
+        divide_all(result_, content, run_);
     }
     // Little gained: the growth is genuine, so look again only when as much has come once more.
     if (2 * content_bits < scale_bits_) collapse_bits_ *= 2;
@@ -131,9 +146,9 @@ void RowSums<algebra::IntegerDomain>::collapse(std::vector<Integer> values) {
 void RowSums<algebra::IntegerDomain>::finish(std::vector<Integer>& coefficients) {
     settle_result();
     if (!result_.empty()) {
-        Integer content = content_of(result_);
+        Integer content = content_of(result_, run_);
         if (result_.front().sign() < 0) content.negate();
-        if (!content.is_one()) divide_all(result_, content);
+        if (!content.is_one()) divide_all(result_, content, run_);
     }
     coefficients.swap(result_);
 }

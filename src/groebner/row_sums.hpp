@@ -2,6 +2,8 @@
 
 #include "basis.hpp"
 
+#include "eliminant/base/run.hpp"
+
 #include <gmpxx.h>
 
 #include <cstddef>
@@ -34,7 +36,7 @@ class RowSums<algebra::PrimeDomain> {
         std::uint64_t sum = 0;
     };
 
-    explicit RowSums(const algebra::PrimeDomain& domain)
+    RowSums(const algebra::PrimeDomain& domain, const base::Run&)
         : field_(domain.field),
           square_(static_cast<std::uint64_t>(domain.field.characteristic()) * domain.field.characteristic()) {
     }
@@ -94,7 +96,8 @@ class RowSums<algebra::IntegerDomain> {
         std::uint32_t head = 0; ///< index of a node plus one
     };
 
-    explicit RowSums(const algebra::IntegerDomain&) {}
+    /// Polls `run`: a single product of long numbers can take milliseconds.
+    RowSums(const algebra::IntegerDomain&, const base::Run& run) : run_(run) {}
 
     void begin();
     void add_row(const BasisElement<Element>& element, Element q) {
@@ -139,6 +142,7 @@ class RowSums<algebra::IntegerDomain> {
     std::size_t collapse_bits_ = 0; ///< when the next one is due
     std::vector<Element> collapsed_; ///< coefficients of the single row after a collapse
     mpz_class large_sum_;
+    const base::Run& run_;
 };
 
 } // namespace eliminant::groebner
