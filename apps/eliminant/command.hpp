@@ -32,6 +32,8 @@ struct CommandEntry {
 
 std::unique_ptr<Command> make_implicitize();
 std::unique_ptr<Command> make_verify();
+std::unique_ptr<Command> make_contains_point();
+std::unique_ptr<Command> make_preimages();
 std::unique_ptr<Command> make_groebner();
 std::unique_ptr<Command> make_divide();
 std::unique_ptr<Command> make_eliminate();

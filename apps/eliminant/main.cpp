@@ -16,6 +16,9 @@ namespace {
 
 constexpr std::array commands{
     CommandEntry{"implicitize", "exact implicit equations of a parametrization", make_implicitize},
+    CommandEntry{"contains-point", "whether a point lies on the image of a parametrization",
+                 make_contains_point},
+    CommandEntry{"preimages", "the parameters that reach a point", make_preimages},
     CommandEntry{"verify", "check the certificate of an implicit equation", make_verify},
     CommandEntry{"groebner", "reduced Groebner basis of a polynomial system", make_groebner},
     CommandEntry{"divide", "multivariate division with quotients and remainder", make_divide},
@@ -41,7 +44,7 @@ std::string program_help(const OptionSet& options) {
         "Usage: eliminant COMMAND [OPTION…] [ARGUMENT…]\n\n"
         "Exact implicit equations of parametric curves and surfaces, and the algebra behind them.\n\n"
         "Commands:\n";
-    constexpr std::size_t name_width = 14;
+    constexpr std::size_t name_width = 16;
     for (const CommandEntry& entry : commands) {
         std::string name(entry.name);
         name.resize(name_width, ' ');

@@ -152,8 +152,8 @@ class Pieces {
 
   private:
     static algebra::Ring ring_of(const ControlNet& net) {
-        std::vector<std::string> names = {"s", "t"};
-        names.resize(net.directions.size());
+        std::vector<std::string> names = {"t"};
+        if (net.directions.size() == 2) names = {"s", "t"};
         for (std::string& name : names)
             while (std::ranges::find(net.coordinates, name) != net.coordinates.end()) name += '_';
         return {algebra::CoefficientField::rationals(), std::move(names)};

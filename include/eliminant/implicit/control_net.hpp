@@ -37,7 +37,7 @@ struct ControlNet {
 struct NetPiece {
     /// Which of the nonempty knot spans it is, counted from 0, one number a direction that has knots.
     std::vector<std::size_t> span;
-    /// Of parameters s, or s and t, that run from 0 to 1 over the span.
+    /// Of a parameter t, or of s and t, that run from 0 to 1 over the span.
     Parametrization parametrization;
 };
 
