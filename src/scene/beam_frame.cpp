@@ -28,7 +28,7 @@ mpq_class centered(std::size_t pixel, double middle, double half) {
 
 } // namespace
 
-std::optional<BeamFrame> BeamFrame::make(const RayGrid& rays, const Ball& ball) {
+std::optional<BeamFrame> BeamFrame::make(const RayGrid& rays, const Ball& ball, double free_radius) {
     const bool parallel = rays.direction_dx == glm::dvec3(0.0) && rays.direction_dy == glm::dvec3(0.0);
     const bool pencil = rays.origin_dx == glm::dvec3(0.0) && rays.origin_dy == glm::dvec3(0.0);
     if (parallel == pencil) return std::nullopt;
@@ -51,7 +51,7 @@ std::optional<BeamFrame> BeamFrame::make(const RayGrid& rays, const Ball& ball) 
     frame.v_cross_center_ = orientation * glm::cross(along_v, center);
     frame.center_cross_u_ = orientation * glm::cross(center, along_u);
 
-    const std::optional<Interval> range = frame.depth_range(rays, ball, center);
+    const std::optional<Interval> range = frame.depth_range(rays, ball, center, free_radius);
     if (!range) return std::nullopt;
     const double first = pencil ? -1.0 / range->lower : range->lower;
     const double last = pencil ? -1.0 / range->upper : range->upper;
@@ -65,8 +65,8 @@ std::optional<BeamFrame> BeamFrame::make(const RayGrid& rays, const Ball& ball) 
 }
 
 /// Where the rays can be in the ball, at t > 0.
-std::optional<Interval> BeamFrame::depth_range(const RayGrid& rays, const Ball& ball,
-                                               glm::dvec3 center) const {
+std::optional<Interval> BeamFrame::depth_range(const RayGrid& rays, const Ball& ball, glm::dvec3 center,
+                                               double free_radius) const {
     const std::array<Ray, 4> corners{
         rays.ray(0.0, 0.0), rays.ray(static_cast<double>(rays.width - 1), 0.0),
         rays.ray(0.0, static_cast<double>(rays.height - 1)),
@@ -93,11 +93,12 @@ std::optional<Interval> BeamFrame::depth_range(const RayGrid& rays, const Ball& 
     const glm::dvec3 normal = glm::normalize(u_cross_v_);
     const double height = glm::dot(center, normal); // least length of a direction
     const double center_height = glm::dot(to_center, normal);
-    const Interval range{std::max((distance - ball.radius) / longest, (center_height - ball.radius) / height),
-                         std::min((distance + ball.radius) / height, (center_height + ball.radius) / height)};
-    // A camera within the ball, or nearly: −1/t would reach too far.
-    if (!(range.lower > 0x1p-10 * range.upper)) return std::nullopt;
-    return range;
+    const double upper = std::min((distance + ball.radius) / height, (center_height + ball.radius) / height);
+    const double lower = std::max({(distance - ball.radius) / longest, (center_height - ball.radius) / height,
+                                   std::min(free_radius / longest, upper) * (1.0 - 0x1p-40)});
+    // From a thousandth of the range on, what is near the origin would take up nearly all of −1/t.
+    if (!(lower > 0x1p-10 * upper)) return std::nullopt;
+    return Interval{lower, upper};
 }
 
 void BeamFrame::make_forms(const RayGrid& rays) {

@@ -20,9 +20,12 @@ class BeamFrame {
     /// Pictures are cut into blocks of this many pixels a side; the frame is that of whole blocks.
     static constexpr std::size_t block_size = 32;
 
-    /// Nothing if the rays are neither parallel nor from one point, if the grid has no extent, or if the
-    /// origin of the pencil is not clearly outside the ball.
-    static std::optional<BeamFrame> make(const RayGrid& rays, const Ball& ball);
+    /// \param free_radius no point of the surface is nearer than this to the origin of a pencil of rays:
+    /// where
+    ///   the origin is within the ball, the beam begins at this distance
+    /// \returns nothing if the rays are neither parallel nor from one point, if the grid has no extent, or if
+    ///   the beam would begin too near at the origin of the pencil
+    static std::optional<BeamFrame> make(const RayGrid& rays, const Ball& ball, double free_radius);
 
     const field::BeamForms& forms() const { return forms_; }
 
@@ -58,7 +61,8 @@ class BeamFrame {
   private:
     BeamFrame() = default;
     void make_forms(const RayGrid& rays);
-    std::optional<Interval> depth_range(const RayGrid& rays, const Ball& ball, glm::dvec3 center) const;
+    std::optional<Interval> depth_range(const RayGrid& rays, const Ball& ball, glm::dvec3 center,
+                                        double free_radius) const;
 
     field::BeamForms forms_;
     double middle_column_ = 0.0; ///< a multiple of 1/2

@@ -107,6 +107,10 @@ TEST(GridTracer, CamerasWithinAndBehindTheRegion) {
     for (const glm::dvec3 origin :
          {glm::dvec3{1.0, 0.1, 0.05}, glm::dvec3{0.9, 0.9, 0.9}, glm::dvec3{0.0, 0.2, 1.7}})
         expect_as_single_rays(*surface, test::pinhole_grid(origin, 24), clip, "near camera");
+    // So near to the surface that rays are traced one by one, and on it.
+    expect_as_single_rays(*surface, test::pinhole_grid({1.4 - 1e-5, 0.0, 0.0}, 9), clip, "very near camera");
+    const auto sphere = surface_of("x^2+y^2+z^2-1");
+    for (const Hit& hit : trace(*sphere, test::pinhole_grid({0.0, 0.0, 1.0}, 5), clip)) EXPECT_EQ(hit.t, 0.0);
     RayGrid away = test::pinhole_grid({0.5, 1.0, 6.0}, 16);
     away.direction = -away.direction;
     away.direction_dx = -away.direction_dx;
