@@ -37,8 +37,8 @@ bool Beam::has_no_zero() const {
 void Beam::collapse_rows(const BeamLayout& layout, double v, double* row, double* v_derivative) const {
     const std::size_t n = layout.degree();
     for (std::size_t k = 0; k <= n; ++k) {
-        double* const p = row + k * BeamRow::stride;
-        double* const dp = v_derivative + k * BeamRow::stride;
+        double* const p = row + k * (n + 1);
+        double* const dp = v_derivative + k * (n + 1);
         std::fill_n(p, n - k + 1, 0.0);
         std::fill_n(dp, n - k + 1, 0.0);
         for (std::size_t b = n - k + 1; b-- > 0;) {

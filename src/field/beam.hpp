@@ -28,7 +28,7 @@ struct Beam {
 
     /// Whether the constant outweighs everything else: then no ray has a zero in the box.
     bool has_no_zero() const;
-    /// The coefficients of u^a·w^k on the row v, at [k·BeamRow::stride + a], and their derivatives by v.
+    /// The coefficients of u^a·w^k on the row v, at [k·(degree + 1) + a], and their derivatives by v.
     void collapse_rows(const BeamLayout& layout, double v, double* row, double* v_derivative) const;
 };
 

@@ -13,9 +13,10 @@ namespace eliminant::field {
 /// lower > upper has no root.
 struct BeamRow {
     static constexpr std::size_t padding = 8;
-    static constexpr std::size_t stride = max_kernel_degree + 1;
+    /// Entries in each of the two tables of the largest degree.
+    static constexpr std::size_t most_coefficients = (max_kernel_degree + 1) * (max_kernel_degree + 1);
 
-    // The polynomial: the coefficient of u^a·w^k at [k·stride + a], and its derivative by v.
+    // The polynomial: the coefficient of u^a·w^k at [k·(degree + 1) + a], and its derivative by v.
     std::size_t degree = 0;
     const double* coefficients = nullptr;
     const double* v_derivative = nullptr;

@@ -5,7 +5,8 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
+#include <mutex>
+#include <vector>
 
 namespace eliminant::field {
 namespace {
@@ -66,25 +67,24 @@ FirstRootAnswer search(std::span<const Number> coefficients, double error, doubl
             answer.steps};
 }
 
-constexpr std::size_t stride = max_kernel_degree + 1;
-using BernsteinMatrix = std::array<double, stride * stride>;
+using BernsteinMatrix = std::vector<double>;
 
 /// x^i = (s − (1 − s))^i (s + (1 − s))^(n − i) for s = (x + 1)/2; all integers here are below 2^53.
-std::unique_ptr<BernsteinMatrix> make_bernstein_matrix(std::size_t n) {
-    std::array<std::array<double, stride>, stride> binomial{};
+BernsteinMatrix make_bernstein_matrix(std::size_t n) {
+    std::array<std::array<double, max_kernel_degree + 1>, max_kernel_degree + 1> binomial{};
     for (std::size_t i = 0; i <= n; ++i) {
         binomial[i][0] = 1.0;
         for (std::size_t j = 1; j <= i; ++j)
             binomial[i][j] = binomial[i - 1][j - 1] + (j < i ? binomial[i - 1][j] : 0.0);
     }
-    auto matrix = std::make_unique<BernsteinMatrix>();
+    BernsteinMatrix matrix((n + 1) * (n + 1));
     for (std::size_t i = 0; i <= n; ++i)
         for (std::size_t j = 0; j <= n; ++j) {
             double sum = 0.0;
             for (std::size_t l = 0; l <= i && l <= j; ++l)
                 if (j - l <= n - i)
                     sum += ((i - l) % 2 == 0 ? 1.0 : -1.0) * binomial[i][l] * binomial[n - i][j - l];
-            (*matrix)[i * stride + j] = sum;
+            matrix[i * (n + 1) + j] = sum;
         }
     return matrix;
 }
@@ -101,12 +101,11 @@ FirstRootAnswer first_root(std::span<const DoubleDouble> coefficients, double er
 }
 
 const double* bernstein_matrix(std::size_t degree) {
-    static const auto matrices = [] {
-        std::array<std::unique_ptr<BernsteinMatrix>, max_kernel_degree + 1> all;
-        for (std::size_t n = 0; n <= max_kernel_degree; ++n) all[n] = make_bernstein_matrix(n);
-        return all;
-    }();
-    return matrices.at(degree)->data();
+    // Made when asked for: all of them together would take a millisecond.
+    static std::array<BernsteinMatrix, max_kernel_degree + 1> matrices;
+    static std::array<std::once_flag, max_kernel_degree + 1> made;
+    std::call_once(made.at(degree), [degree] { matrices[degree] = make_bernstein_matrix(degree); });
+    return matrices[degree].data();
 }
 
 } // namespace eliminant::field

@@ -16,14 +16,15 @@
 /// magnitude).
 namespace eliminant::field {
 
-/// Larger degrees are left to exact arithmetic.
-constexpr std::size_t max_kernel_degree = 32;
+/// Larger degrees are left to exact arithmetic. Up to here the integers of bernstein_matrix(), which are at
+/// most binomial(n, n/2), and the sums that form them are below 2^53.
+constexpr std::size_t max_kernel_degree = 56;
 
 /// A root is undecided if its position is not certain to within this.
 constexpr double root_precision = 1e-9;
 
-/// Entry [i·33 + j] is the coefficient of x^i in the Bernstein basis of [−1, 1] at B_j times binomial(n, j),
-/// an integer. Row 0 are the binomials themselves.
+/// Entry [i·(degree + 1) + j] is the coefficient of x^i in the Bernstein basis of [−1, 1] at B_j times
+/// binomial(n, j), an integer. Row 0 are the binomials themselves.
 const double* bernstein_matrix(std::size_t degree);
 
 /// The roundings of finding a root, as a multiple of the sum of the absolute values of the coefficients over

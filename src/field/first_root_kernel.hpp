@@ -27,7 +27,6 @@ using eliminant::field::max_kernel_degree;
 template <class Pack, int fixed_degree>
 class FirstRoot {
     using Mask = typename Pack::Mask;
-    static constexpr int stride = static_cast<int>(max_kernel_degree) + 1;
 
   public:
     static constexpr int capacity = fixed_degree > 0 ? fixed_degree : static_cast<int>(max_kernel_degree);
@@ -148,12 +147,12 @@ class FirstRoot {
         repeat(n / 2 + 1, [&](int j) ELIMINANT_INLINE {
             const double* const matrix = bernstein_ + j;
             Pack even = q[0] * Pack::all(matrix[0]);
-            Pack odd = q[1] * Pack::all(matrix[stride]);
+            Pack odd = q[1] * Pack::all(matrix[n + 1]);
             repeat(n / 2, [&](int i) ELIMINANT_INLINE {
-                even = fma(q[2 * i + 2], Pack::all(matrix[(2 * i + 2) * stride]), even);
+                even = fma(q[2 * i + 2], Pack::all(matrix[(2 * i + 2) * (n + 1)]), even);
             });
             repeat((n - 1) / 2, [&](int i) ELIMINANT_INLINE {
-                odd = fma(q[2 * i + 3], Pack::all(matrix[(2 * i + 3) * stride]), odd);
+                odd = fma(q[2 * i + 3], Pack::all(matrix[(2 * i + 3) * (n + 1)]), odd);
             });
             b[n - j] = even - odd;
             b[j] = even + odd;

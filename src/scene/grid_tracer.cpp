@@ -216,8 +216,8 @@ class BeamTracer final : public GridTracer {
 
     void trace_row(const field::Beam& beam, const Tile& block, std::size_t r, field::Span in_u,
                    field::Span in_v, field::Span in_w, Row& row) const {
-        std::array<double, field::BeamRow::stride * field::BeamRow::stride> coefficients;
-        std::array<double, field::BeamRow::stride * field::BeamRow::stride> v_derivative;
+        std::array<double, field::BeamRow::most_coefficients> coefficients;
+        std::array<double, field::BeamRow::most_coefficients> v_derivative;
         const double v = frame_.v(static_cast<double>(block.row + r));
         beam.collapse_rows(exact_.layout(), (v - in_v.center) / in_v.radius, coefficients.data(),
                            v_derivative.data());

@@ -220,11 +220,11 @@ TEST(GridTracer, RepeatedFactorsAndHighDegrees) {
         }
     }
     // Beyond the degree of the kernels: ray by ray.
-    const RayGrid few = test::pinhole_grid({1.0, 2.0, 5.0}, 6);
-    const auto superquadric = surface_of("x^34+y^34+z^34-1");
+    const RayGrid few = test::pinhole_grid({1.0, 2.0, 5.0}, 4);
+    const auto superquadric = surface_of("x^60+y^60+z^60-1");
     int met = 0;
     for (const Hit& hit : trace(*superquadric, few, clip)) met += hit ? 1 : 0;
-    EXPECT_GT(met, 10);
+    EXPECT_GT(met, 3);
 }
 
 TEST(GridTracer, Errors) {
