@@ -148,6 +148,12 @@ bool RationalLifting::lift(base::Run& run) {
     return false;
 }
 
+bool RationalLifting::lift_with_all_primes(base::Run& run) {
+    std::ranges::fill(needs_all_primes_, char{1});
+    vectors_.assign(vectors_.size(), {});
+    return lift(run);
+}
+
 std::vector<RationalLifting::Vector> RationalLifting::take_vectors() {
     residues_.clear();
     tables_.clear();

@@ -54,6 +54,10 @@ class RationalLifting {
     /// for every number of threads.
     bool lift(base::Run& run);
 
+    /// The same anew, with all primes for each entry: what is found has the residues that were added, all of
+    /// them.
+    bool lift_with_all_primes(base::Run& run);
+
     /// What was found; only after lift() returned true.
     const std::vector<Vector>& vectors() const { return vectors_; }
     /// The same; the residues go too.

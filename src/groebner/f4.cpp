@@ -2,6 +2,7 @@
 
 #include "f4_computation.hpp"
 #include "modular_basis.hpp"
+#include "trace_proof.hpp"
 
 #include <utility>
 
@@ -24,22 +25,38 @@ std::uint64_t seed_for(std::span<const Polynomial> generators, std::uint64_t see
     return mixer();
 }
 
+/// The plain algorithm on the elements found together with the input, which generate the ideal if the basis
+/// is right, and contain it in any case; so it proves the result, or corrects it.
+GroebnerBasis proved_by_reductions(const Ring& ring, GroebnerBasis found,
+                                   std::span<const Polynomial> generators, const BuchbergerOptions& options,
+                                   base::Run& run) {
+    std::vector<Polynomial> both = std::move(found.elements);
+    both.insert(both.end(), generators.begin(), generators.end());
+    GroebnerBasis proved =
+        Computation(algebra::IntegerDomain{}, ring, both, options, run, !options.grading.empty()).run();
+    proved.statistics += found.statistics;
+    return proved;
+}
+
 GroebnerBasis over_rationals(const Ring& ring, std::span<const Polynomial> generators,
-                             const BuchbergerOptions& options, base::Run& run) {
+                             BuchbergerOptions options, base::Run& run) {
+    options.linear_algebra = LinearAlgebra::exact; // it is learned once, and proofs rest on it
     for (const Polynomial& f : generators) algebra::require_same_ring(ring, f.ring(), "Groebner basis");
-    ModularBasis images(ring, generators, options, PrimeSequence(seed_for(generators, run.seed())), run);
+    const bool wants_proof = options.proof != Proof::none;
+    ModularBasis images(ring, generators, options, PrimeSequence(seed_for(generators, run.seed())), run,
+                        wants_proof ? F4Trace::Extent::elements : F4Trace::Extent::basis);
     GroebnerBasis result;
     result.elements = images.find();
     result.statistics = images.trace().basis().statistics;
     result.statistics.primes = images.primes_used();
-    result.proof = Proof::none;
-    if (options.proof == Proof::none) return result;
-    std::vector<Polynomial> both = std::move(result.elements);
-    both.insert(both.end(), generators.begin(), generators.end());
-    GroebnerBasis proved =
-        Computation(algebra::IntegerDomain{}, ring, both, options, run, !options.grading.empty()).run();
-    proved.statistics += result.statistics;
-    return proved;
+    if (!wants_proof) {
+        result.proof = Proof::none;
+        return result;
+    }
+    if (has_all_leading_monomials(images.trace(), generators, run) &&
+        lies_in_ideal_of_generators(images.trace(), images.lifted_elements(), images.primes(), run))
+        return result;
+    return proved_by_reductions(ring, std::move(result), generators, options, run);
 }
 
 } // namespace

@@ -34,8 +34,21 @@ class PackReplay {
 
     Replay outcome(std::size_t lane) const { return outcomes_[lane]; }
 
-    /// All coefficients of the reduced basis, ascending by leading monomial, as residues.
-    std::vector<std::uint32_t> residues(std::size_t lane) const {
+    std::vector<std::uint32_t> residues(std::size_t lane, F4Trace::Extent extent) const {
+        return extent == F4Trace::Extent::basis ? residues_of_basis(lane) : residues_of_elements(lane);
+    }
+
+  private:
+    std::vector<std::uint32_t> residues_of_elements(std::size_t lane) const {
+        std::vector<std::uint32_t> result;
+        for (std::size_t i = trace_.generators().size(); i < operands_.size(); ++i) {
+            for (const LaneEntry& c : operands_[i]) result.push_back(c.lane[lane]);
+        }
+        return result;
+    }
+
+    /// Ascending by leading monomial.
+    std::vector<std::uint32_t> residues_of_basis(std::size_t lane) const {
         std::vector<std::uint32_t> result;
         result.reserve(trace_.coefficient_count());
         const std::size_t count = trace_.basis().elements.size(); // found by the last matrix, descending
@@ -45,7 +58,6 @@ class PackReplay {
         return result;
     }
 
-  private:
     struct FoundRow {
         std::vector<std::uint32_t> columns;
         Coefficients coefficients;
@@ -203,7 +215,8 @@ class PackReplay {
 } // namespace
 
 std::vector<F4Trace::Image> F4Trace::replay_pack(std::span<const std::uint32_t> primes,
-                                                 const LaneKernels& kernels, base::Run& run) const {
+                                                 const LaneKernels& kernels, base::Run& run,
+                                                 Extent extent) const {
     if (primes.empty()) return {};
     LaneEntry pack{};
     for (std::size_t lane = 0; lane < lane_count; ++lane)
@@ -214,7 +227,7 @@ std::vector<F4Trace::Image> F4Trace::replay_pack(std::span<const std::uint32_t> 
     for (std::size_t lane = 0; lane < primes.size(); ++lane) {
         images[lane].prime = primes[lane];
         images[lane].replay = replay.outcome(lane);
-        if (images[lane].replay == Replay::agrees) images[lane].coefficients = replay.residues(lane);
+        if (images[lane].replay == Replay::agrees) images[lane].coefficients = replay.residues(lane, extent);
     }
     return images;
 }

@@ -37,11 +37,17 @@ enum class Replay : unsigned char {
 /// not agree: learn again with another one.
 class F4Trace {
   public:
+    /// What an image holds.
+    enum class Extent : unsigned char {
+        basis,    ///< the reduced basis
+        elements, ///< all elements found by all matrices, in the sequence of the rounds
+    };
+
     struct Image {
         std::uint32_t prime = 0;
         Replay replay = Replay::input_vanishes;
-        /// If it agrees: residues in [0, p) for all terms of basis() in sequence, leading ones (= 1)
-        /// included. Any other may be 0.
+        /// If it agrees: residues in [0, p) for all terms of basis() in sequence, or of all elements, leading
+        /// ones (= 1) included. Any other may be 0.
         std::vector<std::uint32_t> coefficients;
     };
 
@@ -66,11 +72,12 @@ class F4Trace {
     /// The images modulo primes below 2^31, in their sequence. Eight primes take little longer than one
     /// (see lane_kernels.hpp), so give as many as there is use for; packs of eight are shared out over the
     /// threads of the run. Any number of calls may run at the same time. Polls `run`.
-    std::vector<Image> replay(std::span<const std::uint32_t> primes, base::Run& run) const;
+    std::vector<Image> replay(std::span<const std::uint32_t> primes, base::Run& run,
+                              Extent extent = Extent::basis) const;
 
     /// Of replay(): at most eight primes, by the kernels given.
     std::vector<Image> replay_pack(std::span<const std::uint32_t> primes, const LaneKernels& kernels,
-                                   base::Run& run) const;
+                                   base::Run& run, Extent extent = Extent::basis) const;
 
     /// The recorded matrices; the last one reduces the tails of the minimal basis, descending.
     const std::vector<F4Round>& rounds() const { return rounds_; }

@@ -14,9 +14,16 @@ using algebra::Ring;
 
 namespace {
 
-std::vector<std::size_t> sizes_of(const std::vector<Polynomial>& polynomials) {
+std::vector<std::size_t> sizes_of(const F4Trace& trace, F4Trace::Extent extent) {
     std::vector<std::size_t> sizes;
-    for (const Polynomial& f : polynomials) sizes.push_back(f.size());
+    if (extent == F4Trace::Extent::basis) {
+        for (const Polynomial& f : trace.basis().elements) sizes.push_back(f.size());
+        return sizes;
+    }
+    for (const F4Round& round : trace.rounds()) {
+        for (std::size_t i = 0; i < round.found_count(); ++i)
+            sizes.push_back(round.found[i + 1] - round.found[i]);
+    }
     return sizes;
 }
 
@@ -69,21 +76,22 @@ Polynomial with_coefficients(const Polynomial& f, const Ring& ring,
 
 } // namespace
 
-ModularBasis::Attempt::Attempt(F4Trace learned)
-    : trace(std::move(learned)), lifting(sizes_of(trace.basis().elements)) {
-    lifting.add(trace.prime(), residues_of(trace.basis().elements));
+ModularBasis::Attempt::Attempt(F4Trace learned, F4Trace::Extent extent)
+    : trace(std::move(learned)), lifting(sizes_of(trace, extent)) {
+    if (extent == F4Trace::Extent::basis) lifting.add(trace.prime(), residues_of(trace.basis().elements));
 }
 
 ModularBasis::ModularBasis(const Ring& ring, std::span<const Polynomial> generators,
-                           const BuchbergerOptions& options, PrimeSequence primes, base::Run& run)
+                           const BuchbergerOptions& options, PrimeSequence primes, base::Run& run,
+                           F4Trace::Extent extent)
     : ring_(ring), generators_(generators.begin(), generators.end()), options_(options),
-      primes_(std::move(primes)), run_(run) {}
+      primes_(std::move(primes)), run_(run), extent_(extent) {}
 
 ModularBasis::Attempt ModularBasis::learn() {
     for (;;) {
         ++primes_used_;
         if (auto trace = F4Trace::learn(ring_, generators_, primes_.next(), options_, run_))
-            return Attempt(std::move(*trace));
+            return {std::move(*trace), extent_};
     }
 }
 
@@ -94,10 +102,10 @@ void ModularBasis::add_batch() {
     std::vector<std::uint32_t> primes(per_round * (1 + known / (8 * per_round)));
     for (std::uint32_t& p : primes) p = primes_.next();
     primes_used_ += primes.size();
-    Images images = attempt_->trace.replay(primes, run_);
+    Images images = attempt_->trace.replay(primes, run_, extent_);
     if (are_suspicious(images)) {
         Attempt other = learn();
-        Images others = other.trace.replay(primes, run_);
+        Images others = other.trace.replay(primes, run_, extent_);
         if (is_better(other.trace, others, attempt_->trace, images)) {
             attempt_ = std::move(other);
             witness_.reset();
@@ -127,8 +135,12 @@ bool ModularBasis::generators_reduce_to_zero() const {
 std::vector<Polynomial> ModularBasis::polynomials() const {
     std::vector<Polynomial> result;
     const std::vector<Polynomial>& learned = attempt_->trace.basis().elements;
-    for (std::size_t i = 0; i < learned.size(); ++i)
-        result.push_back(with_coefficients(learned[i], ring_, attempt_->lifting.vectors()[i].numerators));
+    const auto& vectors = attempt_->lifting.vectors();
+    for (std::size_t i = 0; i < learned.size(); ++i) {
+        // Among all elements those of the basis come last, descending.
+        const std::size_t place = extent_ == F4Trace::Extent::basis ? i : vectors.size() - 1 - i;
+        result.push_back(with_coefficients(learned[i], ring_, vectors[place].numerators));
+    }
     return result;
 }
 

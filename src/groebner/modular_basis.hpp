@@ -24,9 +24,15 @@ namespace eliminant::groebner {
 /// can go unnoticed here, as the replays leave that S-polynomial out; see find().
 class ModularBasis {
   public:
-    /// Refers to `run`. The generators are of `ring`, which is over ℚ.
+    /// \param ring over ℚ
+    /// \param generators of the ring
+    /// \param options of F4
+    /// \param primes from here on
+    /// \param run kept as a reference
+    /// \param extent whether all elements of the computation are lifted, or those of the basis only
     ModularBasis(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
-                 const BuchbergerOptions& options, PrimeSequence primes, base::Run& run);
+                 const BuchbergerOptions& options, PrimeSequence primes, base::Run& run,
+                 F4Trace::Extent extent = F4Trace::Extent::basis);
 
     /// The basis that passes this test: its residues are those of the replay modulo one more prime, and
     /// modulo that prime the generators reduce to zero by it. No theorem bounds the probability that it is
@@ -35,6 +41,11 @@ class ModularBasis {
 
     /// The F4 computation that was repeated; after find().
     const F4Trace& trace() const { return attempt_->trace; }
+    /// With Extent::elements, all elements of the trace, in its sequence; after find().
+    std::span<const algebra::RationalLifting::Vector> lifted_elements() const {
+        return attempt_->lifting.vectors();
+    }
+    PrimeSequence& primes() { return primes_; }
     /// The number of primes whose images were made, those of bad ones too.
     std::size_t primes_used() const { return primes_used_; }
 
@@ -42,7 +53,7 @@ class ModularBasis {
     using Images = std::vector<F4Trace::Image>;
 
     struct Attempt {
-        explicit Attempt(F4Trace learned);
+        Attempt(F4Trace learned, F4Trace::Extent extent);
         F4Trace trace;
         algebra::RationalLifting lifting;
     };
@@ -59,6 +70,7 @@ class ModularBasis {
     BuchbergerOptions options_;
     PrimeSequence primes_;
     base::Run& run_;
+    F4Trace::Extent extent_;
     std::optional<Attempt> attempt_;
     std::optional<F4Trace::Image> witness_; ///< the image of the prime that is kept for the test
     std::size_t primes_used_ = 0;

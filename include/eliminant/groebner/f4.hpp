@@ -12,11 +12,23 @@ namespace eliminant::groebner {
 /// statistics, reduction steps stay 0. Selection normal (all pairs whose lcm has the least degree) suits it
 /// better than sugar: reimer-6 takes 0.03 s against 1.2 s.
 ///
-/// Over ℚ it is computed modulo primes, until its coefficients are found as fractions. With Proof::none that
-/// has passed one test, that the residues modulo one more prime agree and the generators reduce to zero
-/// modulo it; no theorem bounds the probability that it is wrong all the same. With Proof::full all
-/// S-polynomials are then reduced to zero exactly. There the computation cannot be stopped early
-/// (DomainError).
+/// Over ℚ it is computed modulo primes, eight at a time, until its coefficients are found as fractions.
+///
+/// With Proof::none the result has passed one test: the residues modulo one more prime agree, and modulo that
+/// prime the generators reduce to zero. No theorem bounds the probability that it is wrong all the same.
+///
+/// With Proof::full it is proved, by two theorems where their hypotheses hold. (1) The elements are in the
+/// ideal I: those of each matrix are combinations of its rows with rational coefficients; these are lifted as
+/// well, and the identities hold modulo a product of primes larger than twice what can stand on either side.
+/// (2) They are a Groebner basis of I: they have the leading monomials of I_p, the ideal of the images of the
+/// generators modulo the prime p that was learned, and I has no others, since either the generators are as
+/// many as the variables and dim F_p[x]/I_p is finite, whence dim ℚ[x]/I ≥ dim F_p[x]/I_p; or they are
+/// homogeneous and a regular sequence modulo p, whence the Hilbert functions are the same. See
+/// src/groebner/trace_proof.hpp. Where (2) does not apply, all S-polynomials that the criteria leave are
+/// reduced to zero exactly. The usual criterion that leading ideals agree and the input reduces to zero is
+/// not used: it needs homogeneous input (it would prove ⟨x, y⟩ for ⟨y, y + x + p·x²⟩ in lex).
+///
+/// Over ℚ the computation cannot be stopped early (DomainError).
 GroebnerBasis f4(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
                  const BuchbergerOptions& options, base::Run& run);
 
