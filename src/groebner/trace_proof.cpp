@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -315,20 +316,21 @@ class RoundProof {
     std::optional<RationalLifting> lifting_;
 };
 
-/// ∏(1 − t^d) over the degrees.
-SparseSeries numerator_of_complete_intersection(const std::vector<std::uint64_t>& degrees) {
-    std::uint64_t total = 0;
-    for (const std::uint64_t d : degrees) total += d;
-    std::vector<Integer> dense(total + 1);
-    dense[0] = Integer(1);
+/// ∏(1 − t^d) over the degrees, unless it has very many terms or exponents that overflow.
+std::optional<SparseSeries> numerator_of_complete_intersection(const std::vector<std::uint64_t>& degrees) {
+    constexpr std::size_t many = 100000;
+    std::map<std::uint64_t, Integer> product{{0, Integer(1)}};
     for (const std::uint64_t d : degrees) {
-        for (std::uint64_t i = total; i >= d; --i) dense[i] -= dense[i - d];
+        std::map<std::uint64_t, Integer> next = product;
+        for (const auto& [exponent, c] : product) {
+            std::uint64_t sum = 0;
+            if (__builtin_add_overflow(exponent, d, &sum) || next.size() > many) return std::nullopt;
+            next[sum] -= c;
+        }
+        std::erase_if(next, [](const auto& term) { return term.second.is_zero(); });
+        product = std::move(next);
     }
-    SparseSeries result;
-    for (std::uint64_t i = 0; i <= total; ++i) {
-        if (!dense[i].is_zero()) result.emplace_back(i, dense[i]);
-    }
-    return result;
+    return SparseSeries(product.begin(), product.end());
 }
 
 bool has_finite_dimension(const std::vector<Exponents>& leads) {

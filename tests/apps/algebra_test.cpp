@@ -77,7 +77,7 @@ TEST(Groebner, JsonHasTheDocumentedFields) {
     EXPECT_EQ(result["variables"], Json({"x", "y"}));
     EXPECT_EQ(result["field"], "QQ");
     EXPECT_EQ(result["order"], "weight(2,1;lex)");
-    EXPECT_EQ(result["algorithm"], "buchberger");
+    EXPECT_EQ(result["algorithm"], "f4");
     EXPECT_EQ(result["assurance"], "proved");
     for (const Json& polynomial : result["basis"]) EXPECT_TRUE(polynomial.is_string());
     const Json& statistics = result["statistics"];
