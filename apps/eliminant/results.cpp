@@ -77,6 +77,7 @@ std::string statistics_line(const groebner::Statistics& statistics, double secon
                    count(statistics.largest_matrix_rows) + " x " + count(statistics.largest_matrix_columns) +
                    " with " + count(statistics.largest_matrix_entries) + " entries";
     }
+    if (statistics.primes != 0) matrices += "; primes: " + count(statistics.primes);
     return "pairs treated: " + count(statistics.pairs_treated) +
            "; skipped by the product criterion: " + count(statistics.skipped_by_product) +
            ", by chain criterion M: " + count(statistics.skipped_by_chain_m) +

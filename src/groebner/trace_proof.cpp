@@ -209,13 +209,17 @@ class RoundProof {
     RoundProof(const TaggedRound& round, const Operands& operands, Packs& packs, base::Run& run)
         : round_(round), operands_(operands), packs_(packs), run_(run) {}
 
-    bool succeeds() {
+    /// \param expected how many packs may be needed
+    bool succeeds(std::size_t expected) {
+        std::size_t more = std::max<std::size_t>(expected, 1);
         while (true) {
-            // In proportion to those there are: each try begins anew.
-            if (!add_packs(run_.threads() * (1 + used_ / (4 * run_.threads())))) return false;
+            if (!add_packs(more)) return false;
+            more = run_.threads() * (1 + used_ / (4 * run_.threads())); // each try begins anew
             if (lifting_->lift_with_all_primes(run_) && identities_hold()) return true;
         }
     }
+
+    std::size_t packs_used() const { return used_; }
 
   private:
     bool add_packs(std::size_t count) {
@@ -354,6 +358,7 @@ bool lies_in_ideal_of_generators(const F4Trace& trace, std::span<const RationalL
     for (const RationalLifting::Vector& element : elements) operands.add(element.numerators);
     Packs packs(operands, primes, run);
     std::size_t first_found = operands.generator_count;
+    std::size_t expected_packs = 1;
     for (const F4Round& round : trace.rounds()) {
         run.report([&] {
             const auto done = static_cast<std::uint64_t>(&round - trace.rounds().data());
@@ -361,8 +366,11 @@ bool lies_in_ideal_of_generators(const F4Trace& trace, std::span<const RationalL
                                   std::to_string(round.rows.size()) + " rows"};
         });
         if (round.rows.size() != round.found_count()) return false;
+        if (round.found_count() == 0) continue;
         const TaggedRound tagged(round, operands, first_found);
-        if (round.found_count() > 0 && !RoundProof(tagged, operands, packs, run).succeeds()) return false;
+        RoundProof proof(tagged, operands, packs, run);
+        if (!proof.succeeds(expected_packs)) return false;
+        expected_packs = 2 * proof.packs_used() / 3; // numbers grow from matrix to matrix, mostly
         first_found += round.found_count();
     }
     return true;
