@@ -16,7 +16,7 @@ inline Vector per_lane(F&& f) {
 }
 
 inline Vector zero() {
-    return per_lane([](std::size_t) { return 0; });
+    return per_lane([](std::size_t) { return std::uint64_t{0}; });
 }
 inline Vector load(const LaneSum& x) { return x; }
 inline void store(LaneSum& x, const Vector& v) { x = v; }
