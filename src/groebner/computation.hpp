@@ -175,12 +175,23 @@ class Computation {
         // Pairs that do not fit the layout make it wider before anything else happens.
         while (!widening_if_needed([&] { queue_.update(basis_, added, result_.statistics); })) {
         }
-        for (std::uint32_t i = 0; i < added; ++i) {
-            if (!basis_[i].redundant && basis_.layout().divides(basis_.lead(added), basis_.lead(i)))
-                basis_.mark_redundant(i);
-        }
+        mark_redundant(added);
         if (options_.stop_at && options_.stop_at(algebra::Polynomial::from_terms(ring_, basis_[added].terms)))
             stopped_ = true;
+    }
+
+    /// The elements whose leading monomials the new one's divides; or the new one itself, if it was not
+    /// reduced by an older one.
+    void mark_redundant(std::uint32_t added) {
+        const MonomialLayout& layout = basis_.layout();
+        for (std::uint32_t i = 0; i < added; ++i) {
+            if (!basis_[i].redundant && layout.divides(basis_.lead(i), basis_.lead(added)))
+                return basis_.mark_redundant(added);
+        }
+        for (std::uint32_t i = 0; i < added; ++i) {
+            if (!basis_[i].redundant && layout.divides(basis_.lead(added), basis_.lead(i)))
+                basis_.mark_redundant(i);
+        }
     }
 
     /// Minimal basis, each element reduced by the smaller ones, which are reduced already.

@@ -15,17 +15,18 @@ using Element = BatchReducer::Element;
 template <std::size_t Words>
 class StoreBatchReducer final : public BatchReducer {
   public:
-    StoreBatchReducer(const algebra::PrimeField& field, const Basis<Element>& basis,
+    StoreBatchReducer(const algebra::PrimeField& field, const Basis<Element>& basis, const Grading& grading,
                       std::size_t generator_count, LinearAlgebra linear_algebra, base::Run& run)
-        : field_(field), basis_(basis), layout_(basis.layout()), generator_count_(generator_count),
+        : field_(field), basis_(basis), grading_(grading), layout_(basis.layout()),
+          generator_count_(generator_count),
           combine_(linear_algebra == LinearAlgebra::probabilistic && MacaulayMatrix::can_combine(field)),
           run_(run), store_(basis), multiplier_(layout_.words()) {}
 
     Batch reduce(std::span<const CriticalPair> pairs, std::span<const BasisElement<Element>> generators,
-                 F4Round* record) override {
+                 std::uint64_t limit, F4Round* record) override {
         begin();
         add_halves(pairs, generators);
-        add_pivots();
+        add_pivots(limit);
         return reduce_matrix(record);
     }
 
@@ -35,7 +36,7 @@ class StoreBatchReducer final : public BatchReducer {
         for (const std::size_t i : minimal) want(multiplier_.data(), basis_[i], operand(i));
         for (const WantedRow& row : wanted_) see({wanted_indices_.data() + row.begin, 1});
         heads_ = monomials_.size(); // they stay what they are
-        add_pivots();
+        add_pivots(~std::uint64_t{0});
         return reduce_matrix(record);
     }
 
@@ -114,13 +115,15 @@ class StoreBatchReducer final : public BatchReducer {
         }
     }
 
-    /// Symbolic preprocessing: every monomial that some basis element divides gets that multiple as a pivot.
-    void add_pivots() {
+    /// Symbolic preprocessing: every monomial that some basis element divides gets that multiple as a pivot,
+    /// unless its sugar is too high.
+    void add_pivots(std::uint64_t limit) {
         see(wanted_indices_);
         for (std::size_t i = heads_; i < monomials_.size(); ++i) {
             const Index index = monomials_[i];
             const std::uint32_t k = store_.reducer_of(index);
             if (k == Store::none) continue;
+            if (grading_.degree(layout_, store_.monomial(index)) + basis_[k].excess > limit) continue;
             if (pivots_.size() % 64 == 0) run_.poll();
             pivots_.push_back({index, k});
             see(store_.row(index, k));
@@ -229,6 +232,7 @@ class StoreBatchReducer final : public BatchReducer {
 
     algebra::PrimeField field_;
     const Basis<Element>& basis_;
+    const Grading& grading_;
     const MonomialLayout& layout_;
     std::size_t generator_count_;
     bool combine_; ///< random combinations of rows
@@ -250,17 +254,22 @@ class StoreBatchReducer final : public BatchReducer {
 } // namespace
 
 std::unique_ptr<BatchReducer> make_batch_reducer(const algebra::PrimeField& field,
-                                                 const Basis<Element>& basis, std::size_t generator_count,
-                                                 LinearAlgebra linear_algebra, base::Run& run) {
+                                                 const Basis<Element>& basis, const Grading& grading,
+                                                 std::size_t generator_count, LinearAlgebra linear_algebra,
+                                                 base::Run& run) {
     switch (basis.layout().words()) {
     case 1:
-        return std::make_unique<StoreBatchReducer<1>>(field, basis, generator_count, linear_algebra, run);
+        return std::make_unique<StoreBatchReducer<1>>(field, basis, grading, generator_count, linear_algebra,
+                                                      run);
     case 2:
-        return std::make_unique<StoreBatchReducer<2>>(field, basis, generator_count, linear_algebra, run);
+        return std::make_unique<StoreBatchReducer<2>>(field, basis, grading, generator_count, linear_algebra,
+                                                      run);
     case 3:
-        return std::make_unique<StoreBatchReducer<3>>(field, basis, generator_count, linear_algebra, run);
+        return std::make_unique<StoreBatchReducer<3>>(field, basis, grading, generator_count, linear_algebra,
+                                                      run);
     default:
-        return std::make_unique<StoreBatchReducer<0>>(field, basis, generator_count, linear_algebra, run);
+        return std::make_unique<StoreBatchReducer<0>>(field, basis, grading, generator_count, linear_algebra,
+                                                      run);
     }
 }
 

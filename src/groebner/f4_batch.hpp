@@ -28,9 +28,11 @@ class BatchReducer {
     using Element = std::uint32_t;
 
     virtual ~BatchReducer() = default;
-    /// The S-polynomials of the pairs and the generators among them, reduced by the basis and one another.
+    /// The S-polynomials of the pairs and the generators among them, reduced by the basis and one another,
+    /// but only by multiples whose sugar is at most `limit`.
     virtual Batch reduce(std::span<const CriticalPair> pairs,
-                         std::span<const BasisElement<Element>> generators, F4Round* record) = 0;
+                         std::span<const BasisElement<Element>> generators, std::uint64_t limit,
+                         F4Round* record) = 0;
     /// The elements of a minimal basis, their tails reduced by one another.
     virtual Batch reduce_tails(std::span<const std::size_t> minimal, F4Round* record) = 0;
 };
@@ -38,7 +40,7 @@ class BatchReducer {
 /// Specialised for the number of words of a monomial. It refers to all arguments but the field.
 /// `generator_count` is the number of the first basis element among the operands of F4Round.
 std::unique_ptr<BatchReducer> make_batch_reducer(const algebra::PrimeField& field,
-                                                 const Basis<std::uint32_t>& basis,
+                                                 const Basis<std::uint32_t>& basis, const Grading& grading,
                                                  std::size_t generator_count, LinearAlgebra linear_algebra,
                                                  base::Run& run);
 

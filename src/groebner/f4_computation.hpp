@@ -9,7 +9,8 @@
 
 namespace eliminant::groebner {
 
-/// One run of F4: batches of pairs where Buchberger's algorithm treats single ones.
+/// One run of F4: batches of pairs where Buchberger's algorithm treats single ones. Its sugar is the largest
+/// degree of a term, not a bound that is handed down: so with graded orders it is the degree.
 class F4Computation final : public Computation<algebra::PrimeDomain> {
   public:
     /// The ring is over GF(p). Appends each matrix to `rounds`, unless it is null; the last one reduces the
@@ -24,6 +25,7 @@ class F4Computation final : public Computation<algebra::PrimeDomain> {
     void reduce_tails(std::span<const std::size_t> minimal) override;
 
     BatchReducer& batch_reducer();
+    std::uint64_t degree_of(const TermList<Element>& terms) const;
     void treat_batch(const std::vector<CriticalPair>& pairs);
 
     std::vector<F4Round>* rounds_;

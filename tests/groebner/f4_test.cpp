@@ -327,6 +327,33 @@ TEST(F4, ThreadsAndProbabilisticLinearAlgebraGiveTheSame) {
     EXPECT_EQ(f4(small.ring, small.polynomials, probabilistic, run).proof, groebner::Proof::full);
 }
 
+TEST(F4, KeepsDegreesSmallInOrdersThatAreNotGraded) {
+    base::Run run;
+    struct Case {
+        const char* name;
+        MonomialOrder order;
+        std::size_t elements;
+    };
+    const std::vector<Case> cases = {{"cyclic5", MonomialOrder::lex(), 11},
+                                     {"cyclic5", MonomialOrder::elimination({0, 1}), 20},
+                                     {"katsura6", MonomialOrder::elimination({0, 1, 2, 3, 4, 5}), 7}};
+    for (const Case& c : cases) {
+        const System system = classical_system(c.name, CoefficientField::prime(1073741827), run);
+        const Ring ring = system.ring.with_order(c.order);
+        std::vector<Polynomial> generators;
+        for (const Polynomial& f : system.polynomials) generators.push_back(f.in_ring(ring));
+        const std::vector<Polynomial> basis = f4(ring, generators, {}, run).elements;
+        EXPECT_EQ(basis.size(), c.elements) << ring.to_string();
+        EXPECT_TRUE(is_reduced_groebner(basis, run)) << ring.to_string();
+        for (const Polynomial& f : generators)
+            EXPECT_TRUE(normal_form(f, basis, run).is_zero()) << ring.to_string();
+        // And not too large: modulo the degrevlex basis all of it vanishes.
+        const std::vector<Polynomial> graded = f4(system.ring, system.polynomials, {}, run).elements;
+        for (const Polynomial& f : basis)
+            EXPECT_TRUE(normal_form(f.in_ring(system.ring), graded, run).is_zero()) << ring.to_string();
+    }
+}
+
 TEST(F4, WidensItsMonomialsWhenTheyOutgrowThem) {
     base::Run run;
     const Ring ring(CoefficientField::prime(32003), {"x", "y"}, MonomialOrder::lex());
