@@ -169,6 +169,8 @@ class ImplicitizeCommand : public Command {
     ExitStatus run(std::span<const std::string> operands, Session& session) override {
         ImplicitizeOptions options;
         options.method = method_;
+        options.assurance = assurance_;
+        options.parametrization_degree = session.format() == ResultFormat::json;
         const Input input = input_of(operands, looks_like_equation, session.run());
         const auto parametrization = single_shape(input, session.run());
         if (!parametrization) return run_batch(sources_of(input, session.run()), options, session);
@@ -260,7 +262,7 @@ class ImplicitizeCommand : public Command {
     }
 
     Method method_ = Method::automatic;
-    Assurance assurance_ = Assurance::proved; // what is proved serves those who ask for less, too
+    Assurance assurance_ = Assurance::proved;
     std::optional<std::string> order_;
     std::optional<std::string> certificate_;
 };

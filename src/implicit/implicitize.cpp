@@ -5,6 +5,7 @@
 #include "implicit/domain.hpp"
 #include "implicit/hypersurface.hpp"
 #include "implicit/kernel.hpp"
+#include "implicit/map_degree.hpp"
 #include "implicit/map_of.hpp"
 #include "implicit/verify_hypersurface.hpp"
 
@@ -21,6 +22,9 @@ constexpr const char* dense_warning = "the image is dense: no polynomial other t
 constexpr const char* empty_warning =
     "the image is empty: the relations leave no parameter values at which all "
     "coordinates are defined";
+constexpr std::string_view confirmation = "the equation, put together from images modulo primes, has the "
+                                          "right image modulo one prime more; no theorem "
+                                          "bounds the error";
 constexpr const char* closure_note =
     "the equations describe the closure of the image, which may contain (real) points that no parameter "
     "values reach";
@@ -46,7 +50,8 @@ bool is_graph(const Parametrization& parametrization, const ProjectiveMap& map) 
 class Implicitization {
   public:
     Implicitization(const Parametrization& parametrization, const ImplicitizeOptions& options, base::Run& run)
-        : parametrization_(parametrization), method_(options.method), run_(run),
+        : parametrization_(parametrization), method_(options.method), assurance_(options.assurance),
+          wants_degree_(options.parametrization_degree), run_(run),
           map_(over_common_denominator(parametrization, run)),
           hypersurface_ring_(closure_ring(parametrization, MonomialOrder::degrevlex())),
           several_ring_(closure_ring(parametrization, options.order)),
@@ -54,10 +59,13 @@ class Implicitization {
                   parametrization.warnings(), std::nullopt, {}} {}
 
     ImplicitResult compute() {
-        if (parametrization_.relations().empty())
+        if (parametrization_.relations().empty()) {
             without_relations();
-        else
+            if (wants_degree_)
+                result_.parametrization_degree = map_degree(map_of(parametrization_, run_), run_);
+        } else {
             with_relations();
+        }
         return std::move(result_);
     }
 
@@ -106,10 +114,12 @@ class Implicitization {
             }
             Polynomial f = with_scales(found->equation, scaled.scales, run_);
             for (std::size_t i = cylinders.size(); i-- > 0;) f = lifted(cylinders[i], f, rings[i], run_);
-            result_.claims = prove_hypersurface(map, f, run_);
-            if (!result_.claims) {
-                result_.choice += "what the method " + name + " found could not be proved; ";
-                continue;
+            if (assurance_ == Assurance::proved) {
+                result_.claims = prove_hypersurface(map, f, run_);
+                if (!result_.claims) {
+                    result_.choice += "what the method " + name + " found could not be proved; ";
+                    continue;
+                }
             }
             accept(std::move(f), method, *found);
             return true;
@@ -121,7 +131,8 @@ class Implicitization {
         result_.equations.push_back(std::move(f));
         result_.codimension = 1;
         result_.method = method;
-        result_.proof = hypersurface_theorem;
+        result_.assurance = assurance_;
+        result_.proof = assurance_ == Assurance::proved ? hypersurface_theorem : confirmation;
         result_.choice += found.how;
         result_.statistics.primes_used = found.primes_used;
         if (!is_graph(parametrization_, map_)) result_.notes.emplace_back(closure_note);
@@ -169,7 +180,9 @@ class Implicitization {
     void warn(const char* sentence) { result_.warnings.emplace_back(sentence); }
 
     const Parametrization& parametrization_;
-    Method method_; ///< as asked for
+    Method method_;       ///< as asked for
+    Assurance assurance_; ///< that is enough
+    bool wants_degree_;
     base::Run& run_;
     ProjectiveMap map_;
     algebra::Ring hypersurface_ring_;

@@ -64,8 +64,12 @@ RationalMap rational_map(const algebra::Ring& ring, std::span<const std::size_t>
                          std::span<const CosineSine> rotations, std::span<const RationalFunction> functions,
                          base::Run& run) {
     RationalMap map{ring, Polynomial::constant(ring, 1), {}, {}, {constants.begin(), constants.end()}};
+    const auto is_parameter = [&](std::size_t i) {
+        return std::ranges::find(constants, i) == constants.end() &&
+               std::ranges::find(rotations, i, &CosineSine::second) == rotations.end();
+    };
     for (std::size_t i = 0; i < ring.variable_count(); ++i)
-        if (std::ranges::find(constants, i) == constants.end()) map.parameters.push_back(i);
+        if (is_parameter(i)) map.parameters.push_back(i);
 
     std::vector<RationalFunction> free;
     for (const RationalFunction& f : functions) {

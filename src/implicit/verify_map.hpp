@@ -31,7 +31,7 @@ struct RationalMap {
     algebra::Ring ring;              ///< over ℚ: of the parametrization
     algebra::Polynomial denominator; ///< primitive over ℤ; 1 if there is none
     std::vector<Component> components;
-    std::vector<std::size_t> parameters; ///< variables that are not constants
+    std::vector<std::size_t> parameters; ///< variables that are neither constants nor replaced sines
     std::vector<std::size_t> constants;  ///< variables; the last components, in this sequence
 };
 

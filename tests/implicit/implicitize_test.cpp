@@ -264,6 +264,43 @@ TEST(Implicitize, RejectsDegreesThatCannotBeGraded) {
     EXPECT_THROW(implicitize(parametrization_of("x = t^99999999999\ny = t"), {}, run), DomainError);
 }
 
+TEST(Implicitize, CountsThePreimagesOfAGeneralPoint) {
+    const auto degree_of = [](const std::string& text) {
+        return implicitized(text, {.parametrization_degree = true}).parametrization_degree;
+    };
+    EXPECT_EQ(degree_of("x = t^2\ny = t^3"), 1U);
+    EXPECT_EQ(degree_of("x = t^2\ny = t^4+t^2"), 2U);
+    EXPECT_EQ(degree_of("x = t^6/(t^6+1)\ny = 1/(t^6+2)"), 6U);
+    EXPECT_EQ(degree_of("x = t+1/t\ny = t^2+1/t^2"), 2U);
+    EXPECT_EQ(degree_of("x = t^5"), 5U); // a dense image
+    EXPECT_EQ(degree_of("x = s^2\ny = t^3"), 6U);
+    EXPECT_EQ(degree_of("x = s^2\ny = s*t\nz = t^2"), 2U);
+    EXPECT_EQ(degree_of("x = s*t\ny = s+t\nz = s^2+t^2"), 2U);
+    EXPECT_EQ(degree_of("x = 3*s+3*s*t^2-s^3\ny = 3*t+3*s^2*t-t^3\nz = 3*s^2-3*t^2"), 1U);
+    EXPECT_EQ(degree_of("x = t\ny = t^2\nz = t^3"), 1U);
+    EXPECT_EQ(degree_of("x = cos(u)^2\ny = cos(u)*sin(u)"), 2U);
+    EXPECT_EQ(degree_of("constants r\nx = r*cos(u)\ny = r*sin(u)"), 1U);
+    EXPECT_EQ(degree_of("constants r\nx = r*t^4\ny = t^2+r"), 2U);
+    EXPECT_EQ(degree_of("x = s/(t^2+1)\ny = s^2/(t^2+1)\nz = t^2"), 2U);
+    EXPECT_EQ(degree_of("x = (s+t)^2\ny = (s+t)^3"), std::nullopt);                   // infinitely many
+    EXPECT_EQ(degree_of("parameters s, t\nx = s\ny = s^2"), std::nullopt);            // infinitely many
+    EXPECT_EQ(degree_of("x = 5"), std::nullopt);                                      // no parameter
+    EXPECT_EQ(degree_of("x = s\ny = t\nrelation s^2 = t"), std::nullopt);             // not computed
+    EXPECT_EQ(implicitized("x = t^2\ny = t^3").parametrization_degree, std::nullopt); // not asked for
+}
+
+TEST(Implicitize, ProbableIsSaidWhereNothingWasProved) {
+    ImplicitizeOptions options;
+    options.assurance = Assurance::probable;
+    const ImplicitResult curve = implicitized("x = t^2\ny = t^3", options);
+    EXPECT_EQ(joined(curve.equations), "x^3-y^2");
+    EXPECT_EQ(curve.assurance, Assurance::probable);
+    EXPECT_NE(curve.proof.find("no theorem"), std::string::npos);
+    EXPECT_FALSE(curve.claims);
+    EXPECT_EQ(implicitized("x = t\ny = t^2\nz = t^3", options).assurance, Assurance::proved);
+    EXPECT_TRUE(implicitized("x = t^2\ny = t^3").claims);
+}
+
 TEST(Implicitize, NamesItsMethodsAndAssurances) {
     EXPECT_EQ(to_string(Method::automatic), "auto");
     EXPECT_EQ(to_string(Method::groebner), "groebner");

@@ -42,6 +42,11 @@ struct ImplicitizeOptions {
     Method method = Method::automatic;
     /// Of the reduced basis where there are several equations; on the coordinates alone.
     algebra::MonomialOrder order = algebra::MonomialOrder::degrevlex();
+    /// What is enough. `probable` spares hypersurfaces the proof; what comes proved anyway is returned as
+    /// such.
+    Assurance assurance = Assurance::proved;
+    /// Whether to count how many parameter values reach a general point of the image.
+    bool parametrization_degree = false;
 };
 
 /// What it took.
@@ -68,7 +73,8 @@ struct ImplicitResult {
     /// What may surprise in this very answer, a sentence each.
     std::vector<std::string> warnings;
     /// How many parameter values over the algebraic closure reach a general point of the image; nullopt if
-    /// infinitely many or not computed.
+    /// infinitely many, or not computed: it was not asked for, or there are relations. Counted in the fibres
+    /// over two random points modulo two primes, which agreed.
     std::optional<std::uint64_t> parametrization_degree;
     ImplicitStatistics statistics;
     /// What holds of most answers and is easily forgotten, a sentence each: that a closure may be larger than
