@@ -47,7 +47,7 @@ class RowKernel {
     ELIMINANT_INLINE void restrict_to(Pack u, const double* table, Pack* c) const {
         const int n = search_.degree();
         Search::repeat(n + 1, [&](int k) ELIMINANT_INLINE {
-            const double* const in_u = table + k * (n + 1);
+            const double* const in_u = table + static_cast<std::ptrdiff_t>(k) * (n + 1);
             Pack sum = Pack::all(in_u[n - k]);
             Search::repeat(
                 n - k, [&](int i) ELIMINANT_INLINE { sum = fma(sum, u, Pack::all(in_u[n - k - 1 - i])); });
@@ -66,7 +66,7 @@ class RowKernel {
         value.store(row_.dv + first);
         const int n = search_.degree();
         Search::repeat(n + 1, [&](int k) ELIMINANT_INLINE {
-            const double* const in_u = row_.coefficients + k * (n + 1);
+            const double* const in_u = row_.coefficients + static_cast<std::ptrdiff_t>(k) * (n + 1);
             Pack sum = Pack::all(0.0);
             Search::repeat(n - k, [&](int i) ELIMINANT_INLINE {
                 sum = fma(sum, u, Pack::all((n - k - i) * in_u[n - k - i]));

@@ -14,7 +14,6 @@ namespace {
 /// One number of 106 bits as a Pack.
 struct WidePack {
     using Mask = SinglePack::Mask;
-    static constexpr std::size_t lanes = 1;
     static constexpr int most_pieces = 200;
     static constexpr double shortest_piece = 0x1p-46; // then the interval's ends are known no better
     DoubleDouble v;

@@ -2,6 +2,7 @@
 
 #include "first_root.hpp"
 
+#include <cstddef>
 #include <utility>
 
 // Inlined for each index of an unrolled loop, so that the index is a constant.
@@ -146,13 +147,14 @@ class FirstRoot {
         Pack b[capacity + 1];
         repeat(n / 2 + 1, [&](int j) ELIMINANT_INLINE {
             const double* const matrix = bernstein_ + j;
+            const std::ptrdiff_t row = n + 1;
             Pack even = q[0] * Pack::all(matrix[0]);
-            Pack odd = q[1] * Pack::all(matrix[n + 1]);
+            Pack odd = q[1] * Pack::all(matrix[row]);
             repeat(n / 2, [&](int i) ELIMINANT_INLINE {
-                even = fma(q[2 * i + 2], Pack::all(matrix[(2 * i + 2) * (n + 1)]), even);
+                even = fma(q[2 * i + 2], Pack::all(matrix[(2 * i + 2) * row]), even);
             });
             repeat((n - 1) / 2, [&](int i) ELIMINANT_INLINE {
-                odd = fma(q[2 * i + 3], Pack::all(matrix[(2 * i + 3) * (n + 1)]), odd);
+                odd = fma(q[2 * i + 3], Pack::all(matrix[(2 * i + 3) * row]), odd);
             });
             b[n - j] = even - odd;
             b[j] = even + odd;

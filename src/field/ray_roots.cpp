@@ -4,6 +4,7 @@
 #include "field/double_double.hpp"
 #include "field/dyadic.hpp"
 #include "field/first_root.hpp"
+#include "field/ray_roots_data.hpp"
 
 #include "eliminant/base/error.hpp"
 #include "eliminant/field/ray_restriction.hpp"
@@ -20,20 +21,6 @@
 
 namespace eliminant::field {
 
-/// The coefficients of f in floating point, by exponents (i, j, k) of x, y, z at layout.start(i, j) + k,
-/// divided by a power of two that makes the largest about 1.
-struct RayRootsData {
-    explicit RayRootsData(algebra::Polynomial polynomial, std::size_t degree)
-        : f(std::move(polynomial)), layout(degree, false), coefficients(layout.size()), majorant(degree + 1) {
-    }
-
-    algebra::Polynomial f;
-    BeamLayout layout;
-    std::vector<DoubleDouble> coefficients;
-    std::vector<double> majorant; ///< [m] ≥ Σ |c| over the terms of degree m
-    bool is_zero = false;
-};
-
 namespace {
 
 constexpr std::size_t most_coefficients = max_kernel_degree + 1;
@@ -43,30 +30,37 @@ struct Coordinate {
     DoubleDouble start;
     DoubleDouble step;
 };
-using Line = std::array<Coordinate, 3>;
+struct Line {
+    std::array<Coordinate, 3> coordinates;
+    double reach = 0.0;   ///< bounds all coordinates on it
+    double largest = 0.0; ///< bounds what the coordinates were summed from: they err by 2^-101 of this
+};
 
-/// The ray on [lower, upper], to about 100 bits; s = ±1 are the interval's ends exactly.
-Line line_on_interval(const glm::dvec3& origin, const glm::dvec3& direction, double lower, double upper) {
+/// The ray on [lower, upper]; s = ±1 are the interval's ends exactly.
+Line line_on_interval(const WideRay& ray, double lower, double upper) {
     const DoubleDouble half{0.5};
     const DoubleDouble middle = two_sum(lower, upper) * half;
     const DoubleDouble radius = two_sum(upper, -lower) * half;
     Line line;
-    for (int axis = 0; axis < 3; ++axis) {
-        auto& coordinate = line[static_cast<std::size_t>(axis)];
-        coordinate.start = DoubleDouble(origin[axis]) + middle * DoubleDouble(direction[axis]);
-        coordinate.step = radius * DoubleDouble(direction[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        line.coordinates[axis].start = ray.origin[axis] + middle * ray.direction[axis];
+        line.coordinates[axis].step = radius * ray.direction[axis];
+        const double largest = ray.origin_size[axis] +
+                               (std::abs(middle.high) + std::abs(radius.high)) * ray.direction_size[axis];
+        line.largest = std::max(line.largest, largest);
+        line.reach = std::max(line.reach, std::abs(line.coordinates[axis].start.high) +
+                                              std::abs(line.coordinates[axis].step.high));
     }
+    line.reach *= 1.0 + 0x1p-40;
+    line.largest *= 1.0 + 0x1p-40;
     return line;
 }
 
 /// At least Σ |c| r^m over the terms, m being their degrees and r a bound of all coordinates on the line: it
 /// bounds the sum of the absolute coefficients of the restriction, also when nothing cancels.
 double majorant_on(const RayRootsData& data, const Line& line) {
-    double r = 0.0;
-    for (const Coordinate& x : line) r = std::max(r, std::abs(x.start.high) + std::abs(x.step.high));
-    r *= 1.0 + 0x1p-40;
     double sum = 0.0;
-    for (std::size_t m = data.majorant.size(); m-- > 0;) sum = sum * r + data.majorant[m];
+    for (std::size_t m = data.majorant.size(); m-- > 0;) sum = sum * line.reach + data.majorant[m];
     return sum;
 }
 
@@ -104,8 +98,8 @@ Univariate<Number> restrict_to_line(const RayRootsData& data, const Line& line) 
     std::array<Number, 3> start;
     std::array<Number, 3> step;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        start[axis] = converted<Number>(line[axis].start);
-        step[axis] = converted<Number>(line[axis].step);
+        start[axis] = converted<Number>(line.coordinates[axis].start);
+        step[axis] = converted<Number>(line.coordinates[axis].step);
     }
     Univariate<Number> in_x;
     for (std::size_t i = n + 1; i-- > 0;) {
@@ -196,6 +190,16 @@ int sign_at(std::span<const mpz_class> p, double t) {
 
 } // namespace
 
+std::optional<RayRoot> first_root_on_ray(const RayRootsData& data, const WideRay& ray, double lower,
+                                         double upper) {
+    if (data.layout.degree() == 0 || !(lower < upper) || !std::isfinite(upper)) return std::nullopt;
+    const Line line = line_on_interval(ray, lower, upper);
+    const double majorant = majorant_on(data, line);
+    if (!(majorant < 0x1p900) || !(line.largest < 0x1p40 * line.reach)) return std::nullopt;
+    if (const auto root = search<double>(data, line, majorant, lower, upper)) return root;
+    return search<DoubleDouble>(data, line, majorant, lower, upper);
+}
+
 RayRoots::RayRoots(const algebra::Polynomial& f) {
     if (!f.ring().field().is_rationals())
         throw base::DomainError("roots on rays: a polynomial over the rationals is expected");
@@ -225,14 +229,15 @@ RayRoot RayRoots::first(const glm::dvec3& origin, const glm::dvec3& direction, d
     require(origin, direction, lower, upper);
     if (!(lower <= upper)) return {};
     if (data_->is_zero) return contained_at(lower);
-    if (data_->layout.degree() > 0 && lower < upper && std::isfinite(upper)) {
-        const Line line = line_on_interval(origin, direction, lower, upper);
-        const double majorant = majorant_on(*data_, line);
-        if (majorant < 0x1p900) {
-            if (const auto root = search<double>(*data_, line, majorant, lower, upper)) return *root;
-            if (const auto root = search<DoubleDouble>(*data_, line, majorant, lower, upper)) return *root;
-        }
+    WideRay ray;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        ray.origin[i] = origin[axis];
+        ray.direction[i] = direction[axis];
+        ray.origin_size[i] = std::abs(origin[axis]);
+        ray.direction_size[i] = std::abs(direction[axis]);
     }
+    if (const auto root = first_root_on_ray(*data_, ray, lower, upper)) return *root;
     const std::vector<mpz_class> exact = restrict_to_ray(data_->f, origin, direction, run);
     if (all_zero(exact)) return contained_at(lower);
     if (const auto root = first_real_root(exact, lower, upper, run)) return from_exact(*root);

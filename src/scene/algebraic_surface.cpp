@@ -61,7 +61,7 @@ class AlgebraicSurface final : public Surface {
 
     std::unique_ptr<GridTracer> tracer(const RayGrid& rays, const ClipRegion& clip,
                                        base::Run& run) const override {
-        return make_grid_tracer(f_, compiled_, *this, rays, clip, run);
+        return make_grid_tracer(f_, compiled_, roots_, *this, rays, clip, run);
     }
 
     Hit first_hit(const Ray& ray, Interval interval) const override {

@@ -13,8 +13,6 @@ using eliminant::scene::Ball;
 using eliminant::scene::ClipRow;
 using eliminant::scene::HalfSpace;
 
-constexpr double slack = 0x1p-48;
-
 template <class Pack>
 struct Vector {
     Pack x, y, z;
@@ -41,6 +39,7 @@ Vector<Pack> abs(const Vector<Pack>& v) {
 template <class Pack>
 class RowClip {
     using Mask = typename Pack::Mask;
+    static constexpr double slack = 0x1p-48;
 
   public:
     explicit RowClip(const ClipRow& row) : row_(row) {}

@@ -8,6 +8,7 @@
 #include "field/beam.hpp"
 #include "field/beam_rows.hpp"
 #include "field/exact_beam.hpp"
+#include "field/ray_roots_data.hpp"
 
 #include "eliminant/base/error.hpp"
 #include "eliminant/field/real_roots.hpp"
@@ -81,9 +82,10 @@ struct Row {
 
 class BeamTracer final : public GridTracer {
   public:
-    BeamTracer(const algebra::Polynomial& f, const field::CompiledPolynomial& compiled, const RayGrid& rays,
-               ClipRegion clip, BeamFrame frame, base::Run& run)
-        : compiled_(compiled), rays_(rays), clip_(std::move(clip)), frame_(std::move(frame)),
+    BeamTracer(const algebra::Polynomial& f, const field::CompiledPolynomial& compiled,
+               const field::RayRoots& roots, const RayGrid& rays, ClipRegion clip, BeamFrame frame,
+               base::Run& run)
+        : compiled_(compiled), roots_(roots), rays_(rays), clip_(std::move(clip)), frame_(std::move(frame)),
           exact_(f, frame_.forms(), run), wide_(exact_), degree_(exact_.layout().degree()),
           bernstein_(field::bernstein_matrix(degree_)),
           solve_row_(field::beam_row_solver(base::best_vector_unit())),
@@ -280,42 +282,79 @@ class BeamTracer final : public GridTracer {
         }
     }
 
-    /// A ray that doubles could not decide: twice the precision, then integers.
+    /// A ray that the beam in doubles could not decide: the beam in twice the precision; the polynomial on
+    /// the ray itself, where the beam's common bounds are too coarse; integers.
     void decide(std::size_t column, std::size_t row, Interval w, Hit& hit, base::Run& run) const {
         hit = {};
+        const Ray ray = rays_.ray(static_cast<double>(column), static_cast<double>(row));
         double error = 0.0;
-        const double u = frame_.u(static_cast<double>(column));
-        const double v = frame_.v(static_cast<double>(row));
-        const auto restricted = wide_.on_ray(u, v, error);
+        const auto restricted =
+            wide_.on_ray(frame_.u(static_cast<double>(column)), frame_.v(static_cast<double>(row)), error);
         const field::FirstRootAnswer answer = field::first_root(restricted, error, w.lower, w.upper);
-        hit.steps = static_cast<std::uint8_t>(std::min(answer.steps, 255));
-        hit.decision = Decision::wide;
-        double root = answer.root;
-        if (answer.state == field::RayState::undecided) {
-            hit.decision = Decision::exact;
-            const auto exact = exact_.on_ray(frame_.exact_u(column), frame_.exact_v(row));
-            if (std::ranges::all_of(exact, [](const mpz_class& c) { return c == 0; })) {
-                hit.kind = HitKind::contained;
-                hit.t = frame_.t_from_w(w.lower);
-                return;
-            }
-            const auto exact_root = field::first_real_root(exact, w.lower, w.upper, run);
-            if (!exact_root) return;
-            hit.kind = exact_root->multiplicity % 2 != 0 ? HitKind::crossing : HitKind::tangency;
-            hit.side = static_cast<std::int8_t>(exact_root->sign_before);
-            root = exact_root->value;
-        } else {
+        if (answer.state != field::RayState::undecided) {
+            hit.decision = Decision::wide;
+            hit.steps = static_cast<std::uint8_t>(std::min(answer.steps, 255));
             hit.side = static_cast<std::int8_t>(answer.side);
-            if (answer.state == field::RayState::no_root) return;
-            hit.kind = HitKind::crossing;
+            if (answer.state == field::RayState::root)
+                meet(ray, frame_.t_from_w(answer.root), HitKind::crossing, hit);
+            return;
         }
-        hit.t = frame_.t_from_w(root);
-        hit.gradient =
-            compiled_.jet(rays_.ray(static_cast<double>(column), static_cast<double>(row)).at(hit.t))
-                .gradient;
+        const Interval t = clip_.interval(ray);
+        const auto found = field::first_root_on_ray(roots_.data(), wide_ray(column, row), t.lower, t.upper);
+        if (found && !t.empty()) {
+            hit.decision = Decision::wide;
+            hit.steps = static_cast<std::uint8_t>(std::min(found->steps, 255));
+            hit.side = static_cast<std::int8_t>(found->side);
+            if (found->kind == field::RayRoot::Kind::crossing) meet(ray, found->t, HitKind::crossing, hit);
+            return;
+        }
+        decide_exactly(column, row, w, ray, hit, run);
+    }
+
+    void decide_exactly(std::size_t column, std::size_t row, Interval w, const Ray& ray, Hit& hit,
+                        base::Run& run) const {
+        hit.decision = Decision::exact;
+        const auto exact = exact_.on_ray(frame_.exact_u(column), frame_.exact_v(row));
+        if (std::ranges::all_of(exact, [](const mpz_class& c) { return c == 0; })) {
+            hit.kind = HitKind::contained;
+            hit.t = frame_.t_from_w(w.lower);
+            return;
+        }
+        const auto root = field::first_real_root(exact, w.lower, w.upper, run);
+        if (!root) return;
+        hit.side = static_cast<std::int8_t>(root->sign_before);
+        meet(ray, frame_.t_from_w(root->value),
+             root->multiplicity % 2 != 0 ? HitKind::crossing : HitKind::tangency, hit);
+    }
+
+    void meet(const Ray& ray, double t, HitKind kind, Hit& hit) const {
+        hit.t = t;
+        hit.kind = kind;
+        hit.gradient = compiled_.jet(ray.at(t)).gradient;
+    }
+
+    /// The ray without the rounding of RayGrid::ray().
+    field::WideRay wide_ray(std::size_t column, std::size_t row) const {
+        const field::DoubleDouble c(static_cast<double>(column));
+        const field::DoubleDouble r(static_cast<double>(row));
+        field::WideRay ray;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<std::size_t>(axis);
+            const auto sum = [&](const glm::dvec3& start, const glm::dvec3& dx, const glm::dvec3& dy,
+                                 double& size) {
+                size = std::abs(start[axis]) + c.high * std::abs(dx[axis]) + r.high * std::abs(dy[axis]);
+                return field::DoubleDouble(start[axis]) + c * field::DoubleDouble(dx[axis]) +
+                       r * field::DoubleDouble(dy[axis]);
+            };
+            ray.origin[i] = sum(rays_.origin, rays_.origin_dx, rays_.origin_dy, ray.origin_size[i]);
+            ray.direction[i] =
+                sum(rays_.direction, rays_.direction_dx, rays_.direction_dy, ray.direction_size[i]);
+        }
+        return ray;
     }
 
     const field::CompiledPolynomial& compiled_;
+    const field::RayRoots& roots_;
     RayGrid rays_;
     ClipRegion clip_;
     BeamFrame frame_;
@@ -337,13 +376,13 @@ std::unique_ptr<GridTracer> make_ray_by_ray_tracer(const Surface& surface, const
 
 std::unique_ptr<GridTracer> make_grid_tracer(const algebra::Polynomial& f,
                                              const field::CompiledPolynomial& compiled,
-                                             const Surface& surface, const RayGrid& rays,
-                                             const ClipRegion& clip, base::Run& run) {
+                                             const field::RayRoots& roots, const Surface& surface,
+                                             const RayGrid& rays, const ClipRegion& clip, base::Run& run) {
     require_grid(rays, clip);
     if (f.total_degree() <= static_cast<std::int64_t>(field::max_kernel_degree)) {
         const double free_radius = surface.distance(rays.origin, field::DistanceLevel::guaranteed);
         if (auto frame = BeamFrame::make(rays, *clip.bounding_ball(), free_radius))
-            return std::make_unique<BeamTracer>(f, compiled, rays, clip, std::move(*frame), run);
+            return std::make_unique<BeamTracer>(f, compiled, roots, rays, clip, std::move(*frame), run);
     }
     return std::make_unique<RayByRayTracer>(surface, rays, clip);
 }

@@ -59,6 +59,9 @@ class RayRoots {
     std::vector<RayRoot> all(const glm::dvec3& origin, const glm::dvec3& direction, double lower,
                              double upper, base::Run& run) const;
 
+    /// For the other parts of the library.
+    const RayRootsData& data() const { return *data_; }
+
   private:
     std::shared_ptr<const RayRootsData> data_;
 };
