@@ -87,7 +87,6 @@ GroebnerBasis basis_directly(const Ring& ring, std::span<const Polynomial> gener
                                     ? suitable(ring, generators, options.proof)
                                     : options.algorithm;
     if (algorithm == Algorithm::buchberger) return buchberger(ring, generators, direct, run);
-    direct.selection = Selection::normal;
     if (options.proof == Proof::none && !ring.field().is_rationals())
         direct.linear_algebra = LinearAlgebra::probabilistic;
     return f4(ring, generators, direct, run);
