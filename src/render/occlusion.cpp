@@ -41,7 +41,8 @@ bool OcclusionProbe::is_blocked(const Place& place, const glm::dvec3& direction,
 
 float OcclusionProbe::visibility(const Place& place, std::size_t light, std::uint64_t& rays) const {
     constexpr double everywhere = std::numeric_limits<double>::infinity();
-    const auto& [towards, least_cosine] = lights_[light];
+    const glm::dvec3& towards = lights_[light].towards;
+    const double least_cosine = lights_[light].least_cosine;
     if (least_cosine == 1) {
         if (!(glm::dot(place.normal, towards) > 0)) return 0; // shading knows, too
         ++rays;

@@ -42,7 +42,10 @@ struct SamplePainter::Samples {
     std::span<float> colours;
 
     double column(std::size_t sample) const { return static_cast<double>(tile.column + sample % tile.width); }
-    double row(std::size_t sample) const { return static_cast<double>(tile.row + sample / tile.width); }
+    double row(std::size_t sample) const {
+        const std::size_t rows_above = sample / tile.width;
+        return static_cast<double>(tile.row + rows_above);
+    }
     scene::Ray ray(std::size_t sample) const { return rays.ray(column(sample), row(sample)); }
     void set(std::size_t sample, const Colour& colour) const {
         std::copy(colour.begin(), colour.end(), &colours[3 * sample]);

@@ -67,8 +67,9 @@ class SphereTracer::Packet {
         walkers_.reserve(tile.size());
         for (std::size_t i = 0; i < tile.size(); ++i) {
             hits[i] = {};
+            const std::size_t rows_above = i / tile.width;
             const scene::Ray ray = tracer.rays_.ray(static_cast<double>(tile.column + i % tile.width),
-                                                    static_cast<double>(tile.row + i / tile.width));
+                                                    static_cast<double>(tile.row + rows_above));
             const scene::Interval inside = tracer.clip_.interval(ray);
             if (inside.empty()) continue;
             walkers_.push_back({ray, glm::length(ray.direction), inside.lower, inside.upper, inside.lower,
