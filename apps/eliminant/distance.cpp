@@ -107,14 +107,14 @@ class DistanceCommand : public Command {
 
         std::string text;
         Json json;
-        int sign = 0;
-        for (const DistanceLevel level : levels_of(levels_)) {
-            const Distance found = distance(f, point, level, session.run());
-            const std::string name(to_string(level));
-            text += name + " " + digits(found.value) + "\n";
-            json[name] = found.value; // infinity is written as null
-            sign = found.sign;
+        const std::vector<DistanceLevel> levels = levels_of(levels_);
+        const std::vector<Distance> found = distances(f, point, levels, session.run());
+        for (std::size_t i = 0; i < levels.size(); ++i) {
+            const std::string name(to_string(levels[i]));
+            text += name + " " + digits(found[i].value) + "\n";
+            json[name] = found[i].value; // infinity is written as null
         }
+        const int sign = found.front().sign;
         json["sign"] = sign;
         session.write_result(session.format() == ResultFormat::json
                                  ? to_text(json)

@@ -76,7 +76,7 @@ DoubleDouble to_double_double(const mpq_class& q) {
     return fast_two_sum(high, low);
 }
 
-void set_coefficients(CompiledData& data, const std::vector<mpq_class>& exact) {
+void set_coefficients(CompiledData& data, const std::vector<mpq_class>& exact, const base::Run& run) {
     long largest = std::numeric_limits<long>::min();
     for (const mpq_class& c : exact) largest = std::max(largest, binary_exponent(c));
     data.scale_exponent = exact.empty() ? 0 : scale_exponent_for(largest, 300);
@@ -90,6 +90,7 @@ void set_coefficients(CompiledData& data, const std::vector<mpq_class>& exact) {
     data.wide.values.assign(size, Wide(0));
     data.wide.magnitudes.assign(size, Wide(0));
     for (std::size_t t = 0; t < exact.size(); ++t) {
+        run.poll();
         const std::uint32_t slot = data.scheme.slots[t];
         const mpq_class scaled = times_power_of_two(exact[t], -data.scale_exponent);
         data.wide.values[slot] = to_wide(scaled);
@@ -113,7 +114,7 @@ void set_bounds(CompiledData& data, std::span<const Exponents> terms) {
     for (double& sum : data.majorant) sum = sum * (1 + 0x1p-26) + 0x1p-900; // at most 2^24 additions each
 }
 
-std::shared_ptr<const CompiledData> compile(Polynomial f) {
+std::shared_ptr<const CompiledData> compile(Polynomial f, const base::Run& run) {
     if (f.total_degree() > CompiledPolynomial::max_degree)
         throw OverflowError("compiling a polynomial: expected a degree of at most " +
                             std::to_string(CompiledPolynomial::max_degree) + ", found " +
@@ -129,7 +130,7 @@ std::shared_ptr<const CompiledData> compile(Polynomial f) {
     }
     data->scheme = make_nested_scheme(terms);
     data->view = data->scheme.view();
-    set_coefficients(*data, coefficients);
+    set_coefficients(*data, coefficients, run);
     set_bounds(*data, terms);
     return data;
 }
@@ -156,10 +157,14 @@ double SymmetricMatrix::frobenius_norm() const {
     return std::sqrt(xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz));
 }
 
-CompiledPolynomial::CompiledPolynomial(const Polynomial& f) : data_(compile(in_coordinates(f))) {}
+CompiledPolynomial::CompiledPolynomial(const Polynomial& f)
+    : data_(compile(in_coordinates(f), base::Run())) {}
+
+CompiledPolynomial::CompiledPolynomial(const Polynomial& f, base::Run& run)
+    : data_(compile(in_coordinates(f), run)) {}
 
 CompiledPolynomial::CompiledPolynomial(const Polynomial& f, const Region& region, base::Run& run)
-    : data_(compile(in_region(f, region, run))) {}
+    : data_(compile(in_region(f, region, run), run)) {}
 
 int CompiledPolynomial::degree() const { return data_->degree; }
 const Polynomial& CompiledPolynomial::polynomial() const { return data_->exact; }

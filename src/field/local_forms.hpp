@@ -17,9 +17,9 @@ namespace eliminant::field {
 /// errors of the coefficients of F_k: hence also the error of its norm, and of any value on the unit sphere.
 template <class Real>
 struct LocalForms {
-    explicit LocalForms(int degree_)
-        : degree(degree_), norms(static_cast<std::size_t>(degree_) + 1),
-          errors(static_cast<std::size_t>(degree_) + 1) {}
+    explicit LocalForms(int total_degree)
+        : degree(total_degree), norms(static_cast<std::size_t>(total_degree) + 1),
+          errors(static_cast<std::size_t>(total_degree) + 1) {}
 
     int degree;
     Real value = 0;

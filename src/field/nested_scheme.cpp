@@ -33,11 +33,6 @@ std::vector<Exponents> in_levels(std::span<const Exponents> terms, const NestedS
     return result;
 }
 
-/// Whether a term with u^i v^j contains w. Linear, for rows of constants.
-bool contains_w(std::span<const Exponents> terms, std::size_t i, std::size_t j) {
-    return std::ranges::any_of(terms, [&](const Exponents& e) { return e[0] == i && e[1] == j && e[2] > 0; });
-}
-
 /// Lays out rows and lines so that each is as short as its terms allow.
 void lay_out(NestedScheme& scheme, std::span<const Exponents> terms) {
     const auto degree = [&](std::size_t level) {
@@ -48,12 +43,13 @@ void lay_out(NestedScheme& scheme, std::span<const Exponents> terms) {
     const std::uint32_t top = degree(0);
     check_size(top);
     scheme.rows.assign(terms.empty() ? 0 : top + 1, {});
+    std::vector<bool> is_constant(scheme.rows.size(), true);
     for (const Exponents& e : terms) {
         std::uint32_t& count = scheme.rows[top - e[0]].count;
         count = std::max(count, e[1] + 1);
+        if (e[1] > 0 || e[2] > 0) is_constant[top - e[0]] = false;
     }
-    while (scheme.constants < scheme.rows.size() && scheme.rows[scheme.constants].count <= 1 &&
-           !contains_w(terms, top - scheme.constants, 0))
+    while (scheme.constants < scheme.rows.size() && is_constant[scheme.constants])
         scheme.rows[scheme.constants++].count = 1;
     std::size_t lines = 0;
     for (NestedScheme::Row& row : scheme.rows) {

@@ -1,5 +1,6 @@
 #include "field/precise_distance.hpp"
 
+#include "eliminant/algebra/calculus.hpp"
 #include "eliminant/algebra/evaluation.hpp"
 
 #include "field/arithmetic.hpp"
@@ -138,35 +139,38 @@ bool is_certain(const Estimate<double>& result, DistanceLevel level) {
            result.uncertainty <= (level == DistanceLevel::guaranteed ? 0x1p-12 : 0x1p-30);
 }
 
-/// By rationals, f being in a ring of x, y, z and not 0 at the point.
-double exact_distance(const CompiledData& data, const DistanceData& expansion,
-                      const std::array<mpq_class, 3>& point, DistanceLevel level, base::Run& run) {
+/// The forms by rationals; those of order 3 and more only if asked for. f is in a ring of x, y, z.
+void set_exactly(LocalForms<Wide>& forms, const DistanceField& field, const std::array<mpq_class, 3>& point,
+                 bool with_all_orders, base::Run& run) {
+    const CompiledData& data = field.polynomial().data();
+    const DistanceData& expansion = field.data();
+    const algebra::Polynomial& f = data.exact;
+    for (std::size_t k = 0; k < forms.size(); ++k)
+        forms.errors[k] = 0; // of 256 bits, which the bound has room for
     const auto convert = [](const mpq_class& a) { return to_wide(a); };
-    LocalForms<Wide> forms(data.degree);
-    for (std::size_t k = 0; k < forms.size(); ++k) forms.errors[k] = 0;
-    const auto spread = [&](const std::vector<std::uint32_t>& slots, std::size_t size) {
-        std::vector<mpq_class> result(size);
-        for (std::size_t t = 0; t < slots.size(); ++t) result[slots[t]] = data.exact.coefficient(t);
-        return result;
-    };
-    if (expansion.taylor.is_complete) {
-        std::vector<mpq_class> entries = spread(expansion.taylor.slots, expansion.taylor.size);
+    if (with_all_orders && expansion.taylor.is_complete) {
+        std::vector<mpq_class> entries(expansion.taylor.size);
+        for (std::size_t t = 0; t < f.size(); ++t) entries[expansion.taylor.slots[t]] = f.coefficient(t);
         set_parts(forms, expansion.taylor, point.data(), entries.data(), convert, [&run] { run.poll(); });
-    } else {
-        const std::vector<mpq_class> coefficients = spread(data.scheme.slots, data.scheme.size);
-        mpq_class jet[jet_size];
-        NestedHorner<PointArithmetic<mpq_class>>::jet(data.view, coefficients.data(), point.data(), jet);
-        set_jet(forms, jet, convert);
-        if (level == DistanceLevel::guaranteed) {
-            Wide r = 0;
-            for (const mpq_class& x : point)
-                if (const Wide magnitude = abs(to_wide(x)) * (1 + wide_unit); magnitude > r) r = magnitude;
-            set_parts_by_majorant(forms, data, r);
-            for (std::size_t k = 3; k < forms.size(); ++k)
-                forms.norms[k] = ldexp(forms.norms[k], data.scale_exponent); // the jet is not scaled
-        }
+        return;
     }
-    return distance_in_wide(forms, level).value;
+    std::array<mpq_class, jet_size> jet;
+    jet[at_value] = algebra::evaluate(f, point, run);
+    std::size_t second = at_xx;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const algebra::Polynomial first = algebra::derivative(f, i);
+        jet[at_x + i] = algebra::evaluate(first, point, run);
+        for (std::size_t j = i; j < 3; ++j)
+            jet[second++] = algebra::evaluate(algebra::derivative(first, j), point, run);
+    }
+    set_jet(forms, jet.data(), convert);
+    if (!with_all_orders) return;
+    Wide r = 0;
+    for (const mpq_class& x : point)
+        if (const Wide magnitude = abs(to_wide(x)) * (1 + wide_unit); magnitude > r) r = magnitude;
+    set_parts_by_majorant(forms, data, r);
+    for (std::size_t k = 3; k < forms.size(); ++k)
+        forms.norms[k] = ldexp(forms.norms[k], data.scale_exponent); // the jet is not scaled
 }
 
 } // namespace
@@ -178,18 +182,29 @@ double precise_distance(const DistanceField& field, const glm::dvec3& point, Dis
         if (const auto result = precise.in_two_doubles(); is_certain(result, level)) return result.value;
     if (const auto result = precise.in_wide(); is_certain(result, level)) return result.value;
     base::Run run;
-    return exact_distance(field.polynomial().data(), field.data(),
-                          {mpq_class(point.x), mpq_class(point.y), mpq_class(point.z)}, level, run);
+    LocalForms<Wide> forms(field.polynomial().degree());
+    set_exactly(forms, field, {mpq_class(point.x), mpq_class(point.y), mpq_class(point.z)},
+                level == DistanceLevel::guaranteed, run);
+    return distance_in_wide(forms, level).value;
+}
+
+std::vector<Distance> distances(const algebra::Polynomial& f, const std::array<mpq_class, 3>& point,
+                                std::span<const DistanceLevel> levels, base::Run& run) {
+    const DistanceField field(CompiledPolynomial(f, run));
+    std::vector<Distance> result(levels.size());
+    if (field.polynomial().is_zero()) return result;
+    LocalForms<Wide> forms(field.polynomial().degree());
+    set_exactly(forms, field, point, std::ranges::find(levels, DistanceLevel::guaranteed) != levels.end(),
+                run);
+    if (forms.value == 0) return result;
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        result[i] = {distance_in_wide(forms, levels[i]).value, forms.value > 0 ? 1 : -1};
+    return result;
 }
 
 Distance distance(const algebra::Polynomial& f, const std::array<mpq_class, 3>& point, DistanceLevel level,
                   base::Run& run) {
-    const DistanceField field(f);
-    const CompiledPolynomial& compiled = field.polynomial();
-    if (compiled.is_zero()) return {0, 0};
-    const int sign = sgn(algebra::evaluate(compiled.polynomial(), point, run));
-    if (sign == 0) return {0, 0};
-    return {exact_distance(compiled.data(), field.data(), point, level, run), sign};
+    return distances(f, point, {&level, 1}, run).front();
 }
 
 } // namespace eliminant::field

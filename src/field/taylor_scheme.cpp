@@ -7,7 +7,7 @@ namespace eliminant::field {
 
 namespace {
 
-constexpr std::size_t max_cost = std::size_t{1} << 22;
+constexpr std::size_t max_cost = std::size_t{1} << 21;
 
 /// Lengths of the lines along w, over a rectangle of the exponents i, j.
 class LineLengths {
@@ -40,12 +40,22 @@ class Layout {
             lengths_.at(e[0], e[1]) = std::max(lengths_.at(e[0], e[1]), e[2] + 1);
     }
 
-    /// Incomplete if it would be too large.
+    /// About the operations of the scheme and the size of its description.
+    std::size_t cost() const {
+        const LineLengths along_v = filled_along_v(lengths_);
+        const LineLengths filled = filled_along_u(along_v);
+        std::size_t cost = 0;
+        for (std::size_t i = 0; i < filled.rows(); ++i)
+            for (std::size_t j = 0; j < filled.columns(); ++j)
+                cost += filled.at(i, j) + std::size_t{lengths_.at(i, j)} * lengths_.at(i, j) / 2 +
+                        j * along_v.at(i, j) + i * filled.at(i, j);
+        return cost;
+    }
+
     TaylorScheme scheme() {
         const LineLengths original = lengths_;
         const LineLengths along_v = filled_along_v(original);
         const LineLengths filled = filled_along_u(along_v);
-        if (estimated_cost(original, along_v, filled) > max_cost) return {};
         place(filled);
         for (std::size_t i = 0; i < original.rows(); ++i)
             for (std::size_t j = 0; j < original.columns(); ++j)
@@ -70,16 +80,6 @@ class Layout {
             for (std::size_t j = 0; j < lengths.columns(); ++j)
                 lengths.at(i, j) = std::max(lengths.at(i, j), lengths.at(i + 1, j));
         return lengths;
-    }
-
-    static std::size_t estimated_cost(const LineLengths& original, const LineLengths& along_v,
-                                      const LineLengths& filled) {
-        std::size_t cost = 0;
-        for (std::size_t i = 0; i < filled.rows(); ++i)
-            for (std::size_t j = 0; j < filled.columns(); ++j)
-                cost += filled.at(i, j) + std::size_t{original.at(i, j)} * original.at(i, j) / 2 +
-                        j * along_v.at(i, j) + i * filled.at(i, j);
-        return cost;
     }
 
     void place(const LineLengths& filled) {
@@ -168,22 +168,17 @@ class Layout {
 
 } // namespace
 
-std::size_t TaylorScheme::cost() const {
-    std::size_t sum = 0;
-    for (const Line& line : lines) sum += std::size_t{line.count} * (line.count - 1) / 2;
-    for (const Step& step : steps) sum += step.count + 1;
-    return sum;
-}
-
 TaylorScheme make_taylor_scheme(std::span<const Exponents> terms) {
-    TaylorScheme best;
-    std::array<std::uint8_t, 3> sequence = {0, 1, 2};
+    std::array<std::uint8_t, 3> best = {0, 1, 2};
+    std::size_t least = max_cost + 1;
+    std::array<std::uint8_t, 3> sequence = best;
     do {
-        TaylorScheme scheme = Layout(terms, sequence).scheme();
-        if (scheme.is_complete && (!best.is_complete || scheme.cost() < best.cost()))
-            best = std::move(scheme);
+        const std::size_t cost = Layout(terms, sequence).cost();
+        if (cost >= least) continue;
+        least = cost;
+        best = sequence;
     } while (std::ranges::next_permutation(sequence).found);
-    return best;
+    return least > max_cost ? TaylorScheme{} : Layout(terms, best).scheme();
 }
 
 } // namespace eliminant::field

@@ -48,13 +48,10 @@ struct TaylorScheme {
     std::vector<std::vector<Component>> parts; ///< by order k
     /// Entries of 1; x, y, z; x², xy, xz, y², yz, z², or none.
     std::array<std::uint32_t, 10> low = {};
-
-    /// Multiplications and additions, in pairs.
-    std::size_t cost() const;
 };
 
 /// The scheme of least cost among the six sequences of coordinates; incomplete if one would cost more than
-/// about 2^22 operations.
+/// about 2^21 operations.
 TaylorScheme make_taylor_scheme(std::span<const Exponents> terms);
 
 /// The Taylor coefficients at a point: `entries` has scheme.size elements, those of f in its slots and zeros

@@ -96,6 +96,8 @@ class CompiledPolynomial {
     /// than
     ///   max_degree or the scheme has more than 2^24 coefficients
     explicit CompiledPolynomial(const algebra::Polynomial& f);
+    /// The same for what may take longer: about 10 microseconds a term. \throws Stopped
+    CompiledPolynomial(const algebra::Polynomial& f, base::Run& run);
     /// f(center + scale·q) as a polynomial in q, computed exactly: near the region of interest it loses fewer
     /// digits to cancellation. Points and derivatives are then in q.
     /// \throws the same; DomainError if the scale is 0; Stopped

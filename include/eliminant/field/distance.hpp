@@ -9,7 +9,9 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace eliminant::field {
 
@@ -52,7 +54,7 @@ struct DistanceData;
 /// many threads may ask at once.
 class DistanceField {
   public:
-    /// As CompiledPolynomial, and O(degree · coefficients) more.
+    /// O(degree · coefficients) besides the compilation.
     explicit DistanceField(CompiledPolynomial f);
     explicit DistanceField(const algebra::Polynomial& f) : DistanceField(CompiledPolynomial(f)) {}
 
@@ -81,6 +83,10 @@ Distance distance(const DistanceField& field, const glm::dvec3& point, DistanceL
 Distance distance(const algebra::Polynomial& f, const std::array<mpq_class, 3>& point, DistanceLevel level,
                   base::Run& run);
 
+/// The same for several levels, which costs no more than one of them.
+std::vector<Distance> distances(const algebra::Polynomial& f, const std::array<mpq_class, 3>& point,
+                                std::span<const DistanceLevel> levels, base::Run& run);
+
 /// A lower bound of the distance of every point of a ball: no point of it is nearer to the surface, rounded
 /// down. 0 if that cannot be shown. It is the guaranteed distance of the center minus the radius, as a
 /// distance has Lipschitz constant 1: positive exactly if the Taylor bound shows f ≠ 0 on the ball. \throws
@@ -100,4 +106,5 @@ using field::distance_from_ball;
 using field::distance_from_box;
 using field::DistanceField;
 using field::DistanceLevel;
+using field::distances;
 } // namespace eliminant
