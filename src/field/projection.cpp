@@ -49,9 +49,9 @@ glm::dvec3 slide(const CompiledPolynomial& f, const glm::dvec3& point, const glm
     for (int i = 0; i < 50; ++i) {
         const glm::dvec3 residual = q - point + lambda * jet.gradient;
         const glm::dmat3 block = glm::dmat3(1.0) + lambda * jet.hessian.matrix();
-        const glm::dmat4 system(glm::dvec4(block[0], jet.gradient.x), glm::dvec4(block[1], jet.gradient.y),
-                                glm::dvec4(block[2], jet.gradient.z), glm::dvec4(jet.gradient, 0));
-        const glm::dvec4 step = glm::inverse(system) * glm::dvec4(residual, value_at(f, q));
+        const glm::dmat4 lagrange(glm::dvec4(block[0], jet.gradient.x), glm::dvec4(block[1], jet.gradient.y),
+                                  glm::dvec4(block[2], jet.gradient.z), glm::dvec4(jet.gradient, 0));
+        const glm::dvec4 step = glm::inverse(lagrange) * glm::dvec4(residual, value_at(f, q));
         const glm::dvec3 move(step.x, step.y, step.z);
         if (!is_finite(move) || !std::isfinite(step.w) || !is_finite(q - move)) return start;
         q -= move;
