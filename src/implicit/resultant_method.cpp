@@ -83,6 +83,28 @@ void shift_s(FormRows& rows, const PrimeField& field, Residue shift) {
             dense::add_multiple<PrimeField>(field, rows[k], rows[k + 1], shift);
 }
 
+/// Replaces t by t + slope·s, in as many more rows as t has powers.
+void shear(FormRows& rows, const PrimeField& field, Residue slope) {
+    const std::size_t columns = rows.front().size();
+    rows.resize(rows.size() + columns - 1, Residues(columns, 0));
+    for (std::size_t j = 0; j + 1 < columns; ++j)
+        for (std::size_t k = columns - 1; k-- > j;)
+            for (std::size_t i = rows.size(); i-- > 1;)
+                rows[i][k] = field.add(rows[i][k], field.multiply(slope, rows[i - 1][k + 1]));
+}
+
+/// A birational change of the parameters of a surface that comes first and does not change the image, for
+/// maps that are in special position to the method.
+enum class Position {
+    as_given,
+    /// A projective transformation of s: where forms of highest degree in s are alike, leading minors of
+    /// Bézout's matrix are zero, but not after it.
+    infinity_moved,
+    /// (s, t + slope·s), and then the same: points of a fibre with equal t get different ones. The degree in
+    /// s becomes the sum of both, so this is tried last.
+    sheared,
+};
+
 class ResultantMethod {
   public:
     ResultantMethod(const HypersurfaceProblem& problem, base::Run& run)
@@ -94,12 +116,14 @@ class ResultantMethod {
 
     /// Finds the shape of the fibres. False if the method is not made for the map.
     bool learn() {
-        if (parameters_.size() + 2 != forms_.size() || is_too_large()) return false;
+        if (parameters_.size() + 2 != forms_.size()) return false;
         const PrimeField field(algebra::previous_prime(short_prime_bound));
         algebra::Random random(run_.seed());
         for (int i = 0; i < attempts; ++i) {
-            for (const bool moved : {false, true}) {
-                moves_infinity_ = moved && is_surface();
+            for (const Position position :
+                 {Position::as_given, Position::infinity_moved, Position::sheared}) {
+                position_ = position;
+                if (is_too_large() || (!is_surface() && position != Position::as_given)) continue;
                 for (std::size_t choice = 0; choice < parameters_.size(); ++choice) {
                     if (learn_from_line(field, random)) return true;
                     // Points of a fibre may have one parameter in common and not the other.
@@ -136,24 +160,26 @@ class ResultantMethod {
 
     /// Whether fibres have more points than there is time for.
     bool is_too_large() const {
-        std::int64_t size = is_surface() ? 2 : 1;
-        for (const UsedParameter& parameter : parameters_) {
-            if (parameter.degree > max_fibre_size) return true;
-            size *= parameter.degree;
-        }
-        return size > max_fibre_size;
+        std::int64_t eliminated = is_surface() ? parameters_.front().degree : 1;
+        const std::int64_t hidden = parameters_.back().degree;
+        if (eliminated > max_fibre_size || hidden > max_fibre_size) return true;
+        if (position_ == Position::sheared) eliminated += hidden;
+        return eliminated * hidden * (is_surface() ? 2 : 1) > max_fibre_size;
     }
 
     bool is_surface() const { return parameters_.size() == 2; }
 
     std::vector<FormRows> forms_modulo(const PrimeField& field, algebra::Random& random) const {
-        const Residue before = random.below(field.characteristic());
-        const Residue after = random.below(field.characteristic());
+        const auto choose = [&] { return random.below(field.characteristic()); };
+        const Residue slope = choose();
+        const Residue before = choose();
+        const Residue after = choose();
         std::vector<FormRows> forms;
         for (const Polynomial& form : forms_) {
             forms.push_back(
                 rows_of(form, field, is_surface() ? &parameters_[0] : nullptr, parameters_.back()));
-            if (!moves_infinity_) continue;
+            if (position_ == Position::as_given) continue;
+            if (position_ == Position::sheared) shear(forms.back(), field, slope);
             shift_s(forms.back(), field, before);
             std::ranges::reverse(forms.back()); // s becomes 1/s
             shift_s(forms.back(), field, after);
@@ -242,9 +268,7 @@ class ResultantMethod {
     base::Run& run_;
     std::vector<Polynomial> forms_;
     std::vector<UsedParameter> parameters_; ///< of a surface: the eliminated one, then the hidden one
-    /// Whether a projective transformation of s comes first, which does not change the image. Where forms of
-    /// highest degree in s are alike, leading minors of Bézout's matrix are zero, but not after it.
-    bool moves_infinity_ = false;
+    Position position_ = Position::as_given;
     std::optional<Shape> shape_;
 };
 
@@ -259,7 +283,8 @@ std::optional<HypersurfaceEquation> equation_by_resultants(const HypersurfacePro
     if (!method.learn()) return std::nullopt;
     auto result = equation_from_images(
         problem.ring, short_prime_bound, [&](const PrimeField& field) { return method.image(field); }, run);
-    if (result) result->how = method.description();
+    if (!result) return std::nullopt;
+    result->how = method.description();
     return result;
 }
 

@@ -13,8 +13,7 @@ namespace eliminant::implicit {
 /// A bicubic patch of degree 18 takes 190 lines with fibres of 18 points, about 2 ms modulo a prime, where
 /// the 1330 unknown coefficients would be a dense system of as many equations.
 ///
-/// Made for n = 2 and n = 3 coordinates of n − 1 parameters without symbolic constants. Not for maps of which
-/// both parameters take the same value at different points of a fibre.
+/// Made for n = 2 and n = 3 coordinates of n − 1 parameters without symbolic constants.
 std::optional<HypersurfaceEquation> equation_by_resultants(const HypersurfaceProblem& problem,
                                                            base::Run& run);
 
