@@ -79,12 +79,9 @@ void ValuesModulo::sum_children(const Level& parents, const Level& children, con
         const std::size_t last = parents.first_child[node + 1];
         for (std::size_t child = parents.first_child[node]; child < last;) {
             const std::size_t stop = std::min(last, child + summands);
-            for (; child < stop; ++child) {
-                const Lanes& power = powers[children.exponents[child]];
-                const Lanes& value = values[child];
-                for (std::size_t lane = 0; lane < lanes; ++lane)
-                    sum[lane] += std::uint64_t{power[lane]} * value[lane];
-            }
+            sum_(sum.data(), powers.front().data(), &children.exponents[child], values[child].data(),
+                 stop - child);
+            child = stop;
             for (std::uint64_t& s : sum) s = field_.reduce(s);
         }
         for (std::size_t lane = 0; lane < lanes; ++lane) sums[node][lane] = static_cast<Element>(sum[lane]);

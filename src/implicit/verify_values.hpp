@@ -3,6 +3,7 @@
 
 #include "eliminant/algebra/polynomial.hpp"
 #include "eliminant/algebra/prime_field.hpp"
+#include "implicit/verify_sums.hpp"
 
 #include <array>
 #include <cstddef>
@@ -44,6 +45,7 @@ class ValuesModulo {
                       const std::vector<Lanes>& values, std::vector<Lanes>& sums) const;
 
     algebra::PrimeField field_;
+    ProductSums sum_ = product_sums(base::best_vector_unit());
     std::vector<Level> levels_; ///< 0 is the root alone
     std::vector<Element> coefficients_;
     std::vector<std::uint32_t> degrees_;

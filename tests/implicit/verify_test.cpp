@@ -248,6 +248,29 @@ TEST(ValuesModulo, AgreeWithEvaluation) {
     }
 }
 
+TEST(ProductSums, EveryVectorUnitAgreesWithTheDefinition) {
+    std::mt19937_64 random(3);
+    const auto residues = [&](std::size_t count) {
+        std::vector<std::uint32_t> list(count);
+        for (auto& r : list) r = static_cast<std::uint32_t>(random() >> 34);
+        return list;
+    };
+    for (const base::VectorUnit unit : base::available_vector_units())
+        for (std::size_t count = 0; count <= 15; ++count) {
+            const std::vector<std::uint32_t> powers = residues(8 * 20);
+            const std::vector<std::uint32_t> values = residues(8 * count);
+            std::vector<std::uint32_t> exponents(count);
+            for (auto& e : exponents) e = static_cast<std::uint32_t>(random() % 20);
+            std::vector<std::uint64_t> sums(8, 5);
+            std::vector<std::uint64_t> expected = sums;
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t k = 0; k < 8; ++k)
+                    expected[k] += std::uint64_t{powers[8 * exponents[i] + k]} * values[8 * i + k];
+            product_sums(unit)(sums.data(), powers.data(), exponents.data(), values.data(), count);
+            EXPECT_EQ(sums, expected) << base::name(unit) << ", " << count;
+        }
+}
+
 TEST(IsIrreducible, AgreesWithProductsAndKnownCases) {
     base::Run run;
     const PrimeField field(1048573);
