@@ -68,20 +68,21 @@ std::size_t reduce(const LanePrimes& lane_primes, const SparseRow<Coefficient>* 
     return count;
 }
 
-void subtract_row(const LanePrimes& lane_primes, const LaneEntry& factor, const SparseRow<std::uint32_t>& row,
-                  LaneSum* dense) {
+inline void subtract_row(const LanePrimes& lane_primes, const LaneEntry& factor,
+                         const SparseRow<std::uint32_t>& row, LaneSum* dense) {
     subtract_multiple(load(factor), load(lane_primes.square), row, 0, dense);
 }
 
-void scale(const LanePrimes& lane_primes, const LaneEntry& factor, std::size_t size, LaneEntry* entries) {
+inline void scale(const LanePrimes& lane_primes, const LaneEntry& factor, std::size_t size,
+                  LaneEntry* entries) {
     const Primes primes(lane_primes);
     const Vector by = load(factor);
     for (std::size_t i = 0; i < size; ++i)
         store(entries[i], primes.reduce(multiply_low_halves(load(entries[i]), by)));
 }
 
-void subtract_lane(const LanePrimes& lane_primes, const LaneEntry& factor, std::size_t lane, std::size_t size,
-                   LaneEntry* entries) {
+inline void subtract_lane(const LanePrimes& lane_primes, const LaneEntry& factor, std::size_t lane,
+                          std::size_t size, LaneEntry* entries) {
     const Primes primes(lane_primes);
     const Vector by = load(factor);
     for (std::size_t i = 0; i < size; ++i) {
@@ -92,7 +93,8 @@ void subtract_lane(const LanePrimes& lane_primes, const LaneEntry& factor, std::
     }
 }
 
-constexpr LaneKernels kernels{reduce<std::uint32_t>, reduce<LaneEntry>, subtract_row, scale, subtract_lane};
+inline constexpr LaneKernels kernels{reduce<std::uint32_t>, reduce<LaneEntry>, subtract_row, scale,
+                                     subtract_lane};
 
 } // namespace
 } // namespace eliminant::groebner
