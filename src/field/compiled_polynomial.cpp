@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <string>
 
 namespace eliminant::field {
@@ -187,10 +186,10 @@ JetError CompiledPolynomial::error_bound(const glm::dvec3& point) const {
     double sum = 0;
     double first = 0;
     double half_second = 0;
-    for (const double c : std::views::reverse(data_->majorant)) {
+    for (std::size_t k = data_->majorant.size(); k-- > 0;) {
         half_second = half_second * r + first;
         first = first * r + sum;
-        sum = sum * r + c;
+        sum = sum * r + data_->majorant[k];
     }
     const double factor = data_->error_factor;
     return {never_nan(factor * sum), never_nan(factor * first), never_nan(factor * 2 * half_second)};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 namespace eliminant::field {
 
@@ -21,9 +20,9 @@ struct Sides {
 Sides sides_at(const FallingPolynomial& phi, double rho) {
     double sum = 0;
     double derivative = 0;
-    for (const double a : std::views::reverse(phi.higher)) {
+    for (std::size_t i = phi.higher.size(); i-- > 0;) {
         derivative = derivative * rho + sum;
-        sum = sum * rho + a;
+        sum = sum * rho + phi.higher[i];
     }
     const double square = rho * rho;
     Sides result{phi.value, (sum * rho) * square + phi.linear * rho, 0};
