@@ -16,6 +16,6 @@ namespace eliminant::implicit {
 /// squarefree and keeps its degree; by Newton's iteration modulo powers of the prime beyond 2(|a_k| + max
 /// |aᵢ|) the integer a_k·n/d is known, of which Cauchy's bound says that it is not larger (von zur Gathen and
 /// Gerhard, Modern Computer Algebra, §15.6). What is found is confirmed by division.
-std::vector<mpq_class> rational_zeros(const algebra::Polynomial& f, base::Run& run);
+std::vector<mpq_class> rational_zeros(const algebra::Polynomial& polynomial, base::Run& run);
 
 } // namespace eliminant::implicit
