@@ -45,10 +45,11 @@ class ValuesModulo {
                       const std::vector<Lanes>& values, std::vector<Lanes>& sums) const;
 
     algebra::PrimeField field_;
+    std::vector<std::size_t> order_; ///< the variable of each level
     ProductSums sum_ = product_sums(base::best_vector_unit());
     std::vector<Level> levels_; ///< 0 is the root alone
     std::vector<Element> coefficients_;
-    std::vector<std::uint32_t> degrees_;
+    std::vector<std::uint32_t> degrees_; ///< at each level
     std::vector<Lanes> values_;
     std::vector<Lanes> sums_;
     std::vector<Lanes> powers_;
