@@ -115,7 +115,7 @@ TEST(CompiledPolynomial, batches_agree_with_the_bounds_on_every_unit_and_for_eve
         const bool is_large = surface.polynomial.size() > 1000;
         const std::vector<Polynomial> exact = with_derivatives(f);
         for (const base::VectorUnit unit : base::available_vector_units())
-            for (const std::size_t count : {0, 1, 7, 8, 9, 33}) {
+            for (const std::size_t count : {0UL, 1UL, 7UL, 8UL, 9UL, 33UL}) {
                 if (is_large && count > 1) continue;
                 Columns<double> columns(count);
                 std::vector<glm::dvec3> points;

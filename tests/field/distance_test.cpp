@@ -69,7 +69,7 @@ TEST(Distance, bound_is_below_the_true_distance) {
 TEST(Distance, bound_is_tight_within_two_units_of_the_surface) {
     // Uniform by volume within 2 units of the surface: the ball of radius 3, and the torus' neighbourhood.
     std::mt19937_64 random(8);
-    for (const std::size_t index : {0, 3}) {
+    for (const std::size_t index : {0UL, 3UL}) {
         const DistanceField f(test::polynomial(known[index].text));
         double sum = 0;
         int count = 0;
