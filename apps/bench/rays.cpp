@@ -27,7 +27,22 @@
 
 namespace {
 
-using namespace eliminant;
+using eliminant::algebraic_surface;
+using eliminant::Ball;
+using eliminant::ClipRegion;
+using eliminant::CoefficientField;
+using eliminant::first_roots;
+using eliminant::Hit;
+using eliminant::Interval;
+using eliminant::parse_polynomial;
+using eliminant::parse_rational;
+using eliminant::Polynomial;
+using eliminant::PolynomialBatch;
+using eliminant::Ray;
+using eliminant::RayGrid;
+using eliminant::restrict_to_ray;
+using eliminant::Ring;
+using eliminant::Run;
 
 double cpu_seconds() {
     timespec time{};

@@ -137,8 +137,11 @@ std::vector<Isolated> isolate(Coefficients p, bool first_only, base::Run& run) {
         Pending item = std::move(pending.back());
         pending.pop_back();
         const int variations = item.local.empty() ? 1 : sign_variations(item.local);
-        if (variations == 1) roots.push_back(std::move(item));
-        if (variations < 2) continue;
+        if (variations == 0) continue;
+        if (variations == 1) {
+            roots.push_back(std::move(item));
+            continue;
+        }
 
         Coefficients left = std::move(item.local);
         for (std::size_t i = 0; i < left.size(); ++i)

@@ -91,7 +91,7 @@ std::vector<mpq_class> exact_part(const ExactBeam& beam, const mpq_class& scale,
     const BeamLayout& layout = beam.layout();
     const std::size_t n = layout.degree();
     std::vector<mpq_class> p;
-    for (const mpz_class& c : beam.coefficients()) p.push_back(c / scale);
+    for (const mpz_class& c : beam.coefficients()) p.emplace_back(c / scale);
     const auto change = [&p](std::size_t m, const Span& span, const auto& index) {
         for (std::size_t i = 0; i < m; ++i)
             for (std::size_t j = m; j-- > i;) p[index(j)] += p[index(j + 1)] * mpq_class(span.center);
