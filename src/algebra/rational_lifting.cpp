@@ -98,7 +98,7 @@ class RationalLifting::Worker {
     mpz_class number_;
 };
 
-RationalLifting::RationalLifting(std::vector<std::size_t> sizes)
+RationalLifting::RationalLifting(const std::vector<std::size_t>& sizes)
     : vectors_(sizes.size()), needs_all_primes_(sizes.size(), 0) {
     begins_.push_back(0);
     for (const std::size_t size : sizes) begins_.push_back(begins_.back() + size);

@@ -34,7 +34,7 @@ class RationalLifting {
     };
 
     /// \param sizes of the vectors
-    explicit RationalLifting(std::vector<std::size_t> sizes);
+    explicit RationalLifting(const std::vector<std::size_t>& sizes);
     ~RationalLifting();
     RationalLifting(RationalLifting&&) noexcept;
     RationalLifting& operator=(RationalLifting&&) noexcept;

@@ -81,7 +81,7 @@ void OrderLifting::begin(const ConvertedBasis& basis) {
     // Once the first image is not in shape position, to try again with each prime would only cost.
     try_shape_ = is_shape();
     std::vector<std::size_t> sizes(basis.tails.size() + basis.numerators.size(), basis.standard.size());
-    lifting_.emplace(std::move(sizes));
+    lifting_.emplace(sizes);
 }
 
 std::vector<std::uint32_t> OrderLifting::residues(const ConvertedBasis& basis) const {

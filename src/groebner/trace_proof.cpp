@@ -211,10 +211,11 @@ class RoundProof {
 
     /// \param expected how many packs may be needed
     bool succeeds(std::size_t expected) {
+        const std::size_t threads = run_.threads();
         std::size_t more = std::max<std::size_t>(expected, 1);
         while (true) {
             if (!add_packs(more)) return false;
-            more = run_.threads() * (1 + used_ / (4 * run_.threads())); // each try begins anew
+            more = threads * (1 + used_ / (4 * threads)); // each try begins anew
             if (lifting_->lift_with_all_primes(run_) && identities_hold()) return true;
         }
     }
@@ -243,7 +244,7 @@ class RoundProof {
             for (const auto& [tag, multiplier] : row) tags.push_back(tag);
             sizes.push_back(tags.size());
         }
-        lifting_.emplace(std::move(sizes));
+        lifting_.emplace(sizes);
         return elements_are_independent(rows, pack);
     }
 

@@ -48,12 +48,13 @@ enum class Algorithm {
 
 /// How far a basis is proved.
 enum class Proof {
-    full, ///< every S-polynomial that the criteria leave was reduced to zero exactly
+    full, ///< by the theorems named at buchberger() and f4()
     /// Over GF(p), LinearAlgebra::probabilistic: all elements are in the ideal, and the probability that they
     /// are not all is at most GroebnerBasis::failure_bound.
     bounded,
-    /// S-polynomials that vanish modulo one word-size prime were taken for zero. All elements are in the
-    /// ideal, but whether they are all is not proved, and no bound of the probability of an error is known.
+    /// By buchberger(): S-polynomials that vanish modulo one word-size prime were taken for zero. All
+    /// elements are in the ideal, but whether they are all is not proved. By f4(): it passed the test named
+    /// there. No bound of the probability of an error is known.
     none,
 };
 
