@@ -31,7 +31,8 @@ mpz_class exponent_of(const Polynomial& f, std::size_t i) {
 HilbertSeries leading_series(const std::vector<Polynomial>& basis, std::size_t denominator_exponent,
                              base::Run& run) {
     PolynomialBuilder builder(Ring(CoefficientField::rationals(), {"t"}));
-    for (const auto& [exponent, coefficient] : groebner::hilbert_numerator(groebner::leading_exponents(basis), run)) {
+    for (const auto& [exponent, coefficient] :
+         groebner::hilbert_numerator(groebner::leading_exponents(basis), run)) {
         const std::vector<std::uint64_t> exponents{exponent};
         builder.add(coefficient, exponents);
     }

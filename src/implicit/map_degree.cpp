@@ -71,7 +71,8 @@ std::optional<std::uint64_t> fibre_of_space(const RationalMap& map, const PrimeF
                                             std::span<const std::size_t> parameters, base::Run& run) {
     // The occurring parameters and 1/denominator are the unknowns; constants have the values of the point.
     std::vector<std::string> names;
-    for (std::size_t i = 0; i <= parameters.size(); ++i) names.push_back(std::string("t").append(std::to_string(i)));
+    for (std::size_t i = 0; i <= parameters.size(); ++i)
+        names.push_back(std::string("t").append(std::to_string(i)));
     const Ring ring(algebra::CoefficientField::prime(field.characteristic()), std::move(names));
     std::vector<Polynomial> images;
     for (const Element value : point) images.push_back(Polynomial::constant(ring, mpq_class(value)));

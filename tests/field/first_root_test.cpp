@@ -70,7 +70,9 @@ void expect_right(const FirstRootAnswer& answer, const std::optional<RealRoot>& 
     if (!truth) return;
     EXPECT_EQ(truth->multiplicity, 1U) << what;
     EXPECT_NEAR(answer.root, truth->value, 2.0 * root_precision) << what;
-    if (answer.side != 0) { EXPECT_EQ(answer.side, truth->sign_before) << what; }
+    if (answer.side != 0) {
+        EXPECT_EQ(answer.side, truth->sign_before) << what;
+    }
 }
 
 TEST(FirstRoot, NeverContradictsExactArithmetic) {

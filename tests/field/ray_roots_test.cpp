@@ -126,7 +126,9 @@ TEST(RayRoots, AgreeWithSturmOnRandomRays) {
             }
             const double margin = 1e-8 * upper;
             const mpq_class before(std::max(root.t - margin, 0.0));
-            if (root.t > margin) { EXPECT_EQ(sturm.roots(0, before), 0) << what; }
+            if (root.t > margin) {
+                EXPECT_EQ(sturm.roots(0, before), 0) << what;
+            }
             EXPECT_GE(sturm.roots(before, mpq_class(std::min(root.t + margin, upper))), 1) << what;
         }
     }

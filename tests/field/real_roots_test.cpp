@@ -141,7 +141,9 @@ TEST(RealRoots, AgreeWithSturmOnRandomPolynomials) {
             << "round " << round;
         const auto first = first_real_root(p, lower, upper, run);
         ASSERT_EQ(first.has_value(), !roots.empty());
-        if (first) { EXPECT_DOUBLE_EQ(first->value, roots[0].value); }
+        if (first) {
+            EXPECT_DOUBLE_EQ(first->value, roots[0].value);
+        }
         for (const RealRoot& root : roots) {
             const mpq_class near(1, 1000000000);
             const mpq_class value(root.value);

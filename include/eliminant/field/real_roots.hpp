@@ -14,7 +14,8 @@ namespace eliminant::field {
 
 /// A real root of a univariate polynomial p.
 struct RealRoot {
-    /// The nearest double; the other neighbour where the root is halfway between two to some twenty bits more.
+    /// The nearest double; the other neighbour where the root is halfway between two to some twenty bits
+    /// more.
     double value = 0.0;
     /// At least 1. Odd exactly if p changes its sign here.
     unsigned multiplicity = 1;
