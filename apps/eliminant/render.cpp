@@ -63,6 +63,13 @@ class RenderCommand : public Command {
             "if the "
             "ray\nthrough its centre meets it.\n\n" +
             std::string(surface_help) +
+            "\nWithout --clip a bounded surface is shown as a whole, another one as far as its asymptotes. "
+            "Of a\n"
+            "parametrization that part is shown which the parameters reach. Angles run over the full circle, "
+            "the\n"
+            "parameters of a control net over [0, 1]; others over [0, 1], [-1, 1] or the whole line, the "
+            "last of\n"
+            "these before what is reached grows threefold.\n"
             "\nPICTURE is a .png, .ppm or .pfm file. Numbers may be integers, decimals or fractions.\n"
             "\n"
             "Examples:\n"
@@ -92,9 +99,10 @@ class RenderCommand : public Command {
         std::optional<Destination> depth_destination;
         if (!settings_.depth_file().empty()) depth_destination.emplace(settings_.depth_file());
 
-        const Polynomial f = read_surface(operands, constants_, session);
-        const std::unique_ptr<Surface> surface = algebraic_surface(f, session.run());
-        const RenderSettings::View view = settings_.view(*surface);
+        const SurfaceArgument argument = read_surface(operands, constants_, session);
+        const std::unique_ptr<Surface> surface = algebraic_surface(argument.polynomial, session.run());
+        const RenderSettings::View view =
+            settings_.view([&] { return framed_part(argument, *surface, session.run()); });
         describe(view, session);
         session.console().expect_steady_progress();
         if (settings_.preview()) draw_previews(*surface, view, options, format, session);
@@ -129,6 +137,13 @@ class RenderCommand : public Command {
         if (isatty(STDOUT_FILENO) == 1)
             throw UsageError("expected -o PICTURE, found none (and standard output is a terminal)");
         return true;
+    }
+
+    /// What is to be seen if nobody says it: the image of the parameters if there are any.
+    static Ball framed_part(const SurfaceArgument& argument, const Surface& surface, Run& run) {
+        std::optional<Ball> image;
+        if (argument.map) image = ball_around_image(*argument.map, argument.range, run);
+        return image ? *image : surface.framing_ball();
     }
 
     /// The picture at an eighth, a quarter and half of its size, each replacing the one before.

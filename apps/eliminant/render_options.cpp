@@ -71,7 +71,7 @@ void RenderSettings::declare_view(OptionSet& options) {
     options.value("camera", 0, "X,Y,Z", "where the camera stands (default: so that the surface is in view)",
                   into(origin_, "--camera", read_point));
     options.value("look-at", 0, "X,Y,Z",
-                  "the point in the middle of the picture (default: that of the surface)",
+                  "the point in the middle of the picture (default: that of what is shown)",
                   into(look_at_, "--look-at", read_point));
     options.value("up", 0, "X,Y,Z", "the direction that is up (default 0,1,0)",
                   into(up_, "--up", read_point));
@@ -81,7 +81,8 @@ void RenderSettings::declare_view(OptionSet& options) {
                   into(orthographic_height_, "--orthographic", read_number));
     options.values("clip", "REGION",
                    "draw only what is in sphere:R (around 0), box:x0,y0,z0,x1,y1,z1 or\n"
-                   "halfspace:a,b,c,d (ax+by+cz <= d); may be repeated. The surface is cut open, not capped",
+                   "halfspace:a,b,c,d (ax+by+cz <= d); may be repeated. The surface is cut open, not capped\n"
+                   "(default: a ball, see above)",
                    [this](std::string_view text) { add_region(clip_, SourceText(text, "--clip")); });
 }
 
@@ -153,9 +154,9 @@ Camera RenderSettings::camera(const Ball& framed) const {
                                 : Camera::perspective(viewpoint, field_of_view_);
 }
 
-RenderSettings::View RenderSettings::view(const Surface& surface) const {
+RenderSettings::View RenderSettings::view(const std::function<Ball()>& framed_part) const {
     ClipRegion clip = clip_;
-    if (!clip.bounding_ball()) clip.add(surface.framing_ball());
+    if (!clip.bounding_ball()) clip.add(framed_part());
     const Camera camera = this->camera(*clip.bounding_ball());
     Lighting lighting = render::default_lighting(camera);
     if (!lights_.empty()) lighting.lights = lights_;

@@ -7,10 +7,10 @@
 #include "eliminant/render/image_writer.hpp"
 #include "eliminant/render/renderer.hpp"
 #include "eliminant/scene/clip_region.hpp"
-#include "eliminant/scene/surface.hpp"
 
 #include <glm/vec3.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,14 +31,15 @@ class RenderSettings {
     /// The format of a picture by the name of its file; empty is standard output. \throws UsageError
     ImageFormat format_of(const std::string& file) const;
 
-    /// A view of the surface: what was not said is chosen so that the surface is seen.
+    /// A view of a surface: what was not said is chosen so that the surface is seen.
     struct View {
         ClipRegion clip;
         Camera camera;
         Lighting lighting;
     };
-    /// \throws DomainError for a camera that is none
-    View view(const Surface& surface) const;
+    /// \param framed_part what is drawn and looked at if no bounded region was given; not asked otherwise
+    /// \throws DomainError for a camera that is none; what the function throws
+    View view(const std::function<Ball()>& framed_part) const;
     /// \throws UsageError for options that exclude each other
     RenderOptions rendering() const;
 

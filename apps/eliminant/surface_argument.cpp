@@ -15,8 +15,8 @@ namespace eliminant::app {
 const std::string_view surface_help =
     "SURFACE is a polynomial or an equation in x, y, z, or a file with one; or a file with a "
     "parametrization\n"
-    "(see 'eliminant implicitize --help'), which is implicitized first, or its statements as several\n"
-    "arguments. Other names are constants and get their values by --set.\n";
+    "or a control net (see 'eliminant implicitize --help'), which is implicitized first, or its statements\n"
+    "as several arguments. Other names are constants and get their values by --set.\n";
 
 namespace {
 
@@ -28,17 +28,23 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
 }
 
-bool is_parametrization(std::string_view text) {
+enum class SurfaceText { polynomial, formulas, control_net };
+
+SurfaceText kind_of(std::string_view text) {
+    constexpr std::array<std::string_view, 4> net_words{"rational", "bezier", "bspline", "nurbs"};
     int equations = 0;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         const std::string_view line = trimmed(text.substr(0, std::min(end, text.find('#'))));
         const std::string_view word = line.substr(0, line.find_first_of(" \t"));
-        if (word == "parameters" || word == "constants" || word == "relation") return true;
+        if (word == "parameters" || word == "constants" || word == "relation") return SurfaceText::formulas;
+        if (word.size() < line.size() && std::ranges::find(net_words, word) != net_words.end() &&
+            line.find('=') == std::string_view::npos)
+            return SurfaceText::control_net;
         if (line.find('=') != std::string_view::npos) ++equations;
         text.remove_prefix(std::min(end + 1, text.size()));
     }
-    return equations > 1;
+    return equations > 1 ? SurfaceText::formulas : SurfaceText::polynomial;
 }
 
 /// The values of the constants that occur, as evaluate() takes them.
@@ -107,18 +113,20 @@ Parametrization with_values(const Parametrization& map, const ConstantValues& gi
             map.rotations(), std::move(relations), map.warnings()};
 }
 
-Polynomial implicit_surface(const Parametrization& map, const ConstantValues& given, Session& session) {
-    const std::size_t coordinates = map.coordinates().size();
+SurfaceArgument implicit_surface(const Parametrization& general, ParameterRange range,
+                                 const ConstantValues& given, Session& session) {
+    const std::size_t coordinates = general.coordinates().size();
     if (coordinates < 2 || coordinates > 3)
         throw UsageError("SURFACE: expected a parametrization of 2 or 3 coordinates, found " +
                          std::to_string(coordinates));
-    const ImplicitResult result = implicitize(with_values(map, given, session.run()), {}, session.run());
+    const Parametrization map = with_values(general, given, session.run());
+    const ImplicitResult result = implicitize(map, {}, session.run());
     for (const std::string& warning : result.warnings) session.console().warning(warning);
     if (result.equations.size() != 1 || result.codimension != 1)
         throw UsageError("SURFACE: expected a parametrization whose image has one equation, found one of "
                          "codimension " +
                          std::to_string(result.codimension));
-    return in_coordinates(result.equations.front(), coordinates);
+    return {in_coordinates(result.equations.front(), coordinates), map, range};
 }
 
 } // namespace
@@ -141,20 +149,23 @@ void ConstantValues::set(std::string_view text) {
         *earlier = std::move(value); // the last of several wins, as with every option
 }
 
-Polynomial read_surface(std::span<const std::string> operands, const ConstantValues& constants,
-                        Session& session) {
+SurfaceArgument read_surface(std::span<const std::string> operands, const ConstantValues& constants,
+                             Session& session) {
     Run& run = session.run();
     if (operands.size() > 1) {
         const Input input = input_of(operands, looks_like_equation, run);
         std::vector<SourceText> statements;
         for (const Input::Part& part : input.parts) statements.emplace_back(part.text, part.name);
-        return implicit_surface(parse_parametrization(statements, run), constants, session);
+        return implicit_surface(parse_parametrization(statements, run), ParameterRange::chosen, constants,
+                                session);
     }
     const Input input = input_of(operands, looks_like_polynomial, run);
     const SourceText source(input.parts.front().text, input.parts.front().name);
-    if (is_parametrization(source.text()))
-        return implicit_surface(parse_parametrization(source, run), constants, session);
-    return read_polynomial(source, constants, run);
+    const SurfaceText kind = kind_of(source.text());
+    if (kind == SurfaceText::polynomial) return {read_polynomial(source, constants, run)};
+    return implicit_surface(parse_parametrization(source, run),
+                            kind == SurfaceText::control_net ? ParameterRange::unit : ParameterRange::chosen,
+                            constants, session);
 }
 
 } // namespace eliminant::app

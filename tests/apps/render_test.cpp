@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -190,6 +191,73 @@ TEST(Render, AParametrizationIsImplicitizedFirst) {
     expect_quiet_success(run(arguments));
     expect_quiet_success(run(ball({"-o", scratch.path("from_equation.ppm")})));
     EXPECT_EQ(scratch.read("from_map.ppm"), scratch.read("from_equation.ppm"));
+}
+
+/// What the program chooses to show of a surface.
+struct ShownBall {
+    double radius = 0;
+    double x = 0;
+    double y = 0;
+    double z = 0;
+
+    bool contains(double px, double py, double pz) const {
+        return std::hypot(px - x, py - y, pz - z) <= radius;
+    }
+};
+
+ShownBall shown(const std::vector<std::string>& surface) {
+    const ScratchDirectory scratch;
+    std::vector<std::string> arguments{"render", "-o", scratch.path("a.png"), "--size", "8x6", "-v"};
+    arguments.insert(arguments.end(), surface.begin(), surface.end());
+    const ProcessResult result = run(arguments);
+    EXPECT_EQ(result.status, 0) << result.errors;
+    const std::string before = "clip: within the ball of radius ";
+    const std::size_t begin = result.errors.find(before);
+    ShownBall ball;
+    if (begin == std::string::npos) {
+        ADD_FAILURE() << "it said: " << result.errors;
+        return ball;
+    }
+    EXPECT_EQ(std::sscanf(result.errors.c_str() + begin + before.size(), "%lf around %lf,%lf,%lf",
+                          &ball.radius, &ball.x, &ball.y, &ball.z),
+              4);
+    return ball;
+}
+
+TEST(Render, ShowsWhatTheParametersReach) {
+    // Corners and the centre of the image of the unit square; the asymptotes of the polynomial of degree 18
+    // would need a ball a thousand times as large.
+    const ShownBall patch = shown({std::string(ELIMINANT_DATA_DIR) + "/implicit/bicubic_hoffmann.par"});
+    EXPECT_TRUE(patch.contains(-1, 0, 0));
+    EXPECT_TRUE(patch.contains(3, 4, 0));
+    EXPECT_TRUE(patch.contains(1.75, 2, 0.140625));
+    EXPECT_LT(patch.radius, 5);
+
+    const ScratchDirectory scratch;
+    const ShownBall net =
+        shown({scratch.write("a.net", "patch far\nbezier 1 1\n100 0 0\n101 0 0\n100 1 0\n101 1 1\n")});
+    EXPECT_TRUE(net.contains(100, 0, 0));
+    EXPECT_TRUE(net.contains(101, 1, 1));
+    EXPECT_LT(net.radius, 2);
+
+    const ShownBall ball = shown(
+        {"x = r*cos(u)*cos(v)", "y = r*sin(u)*cos(v)", "z = 7 + r*sin(v)", "constants r", "--set", "r=1/8"});
+    EXPECT_NEAR(ball.z, 7, 1e-5);
+    EXPECT_NEAR(ball.radius, 0.13, 0.01);
+}
+
+TEST(Render, ChoosesTheRangeOfParameters) {
+    // [-1, 1] for an even map, the whole line for a bounded one.
+    const ShownBall even = shown({"x = u*v", "y = u", "z = v^2"});
+    EXPECT_TRUE(even.contains(-1, -1, 1));
+    EXPECT_LT(even.radius, 3);
+    const ShownBall bounded =
+        shown({"x = 2*u/(1+u^2+v^2)", "y = 2*v/(1+u^2+v^2)", "z = (u^2+v^2-1)/(1+u^2+v^2)"});
+    EXPECT_TRUE(bounded.contains(0, 0, -1));
+    EXPECT_TRUE(bounded.contains(0, 0, 1));
+    EXPECT_LT(bounded.radius, 1.2);
+    const ShownBall with_pole = shown({"x = u", "y = v", "z = 1/(1000*u*v + u + 1)"});
+    EXPECT_LT(with_pole.radius, 10);
 }
 
 TEST(Render, PreviewsEndInTheSamePicture) {
