@@ -143,7 +143,7 @@ class RenderCommand : public Command {
     static Ball framed_part(const SurfaceArgument& argument, const Surface& surface, Run& run) {
         std::optional<Ball> image;
         if (argument.map) image = ball_around_image(*argument.map, argument.range, run);
-        return image ? *image : surface.framing_ball();
+        return image ? *image : surface.framing_ball(run);
     }
 
     /// The picture at an eighth, a quarter and half of its size, each replacing the one before.

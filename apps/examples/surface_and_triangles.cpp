@@ -61,8 +61,8 @@ struct Triangle {
 /// The renderer's own world, with the surface as one more kind of shape.
 class World {
   public:
-    World(const eliminant::Surface& surface, eliminant::ClipRegion region)
-        : surface_(surface), region_(std::move(region)) {}
+    World(const eliminant::Surface& surface, eliminant::ClipRegion region, eliminant::Run& run)
+        : surface_(surface), region_(std::move(region)), run_(run) {}
 
     void add(const Triangle& triangle) { triangles_.push_back(triangle); }
 
@@ -76,7 +76,7 @@ class World {
         Interval interval = region_.interval(ray);
         interval.upper = std::min(interval.upper, nearest.t);
         if (interval.empty()) return nearest;
-        if (const eliminant::Hit hit = surface_.first_hit(ray, interval))
+        if (const eliminant::Hit hit = surface_.first_hit(ray, interval, run_))
             nearest = {hit.t, glm::normalize(hit.gradient), {0.9, 0.5, 0.15}};
         return nearest;
     }
@@ -85,7 +85,7 @@ class World {
         for (const Triangle& triangle : triangles_)
             if (triangle.meets(ray)) return true;
         const Interval interval = region_.interval(ray);
-        return !interval.empty() && surface_.occluded(ray, interval);
+        return !interval.empty() && surface_.occluded(ray, interval, run_);
     }
 
     glm::dvec3 colour(const Ray& ray) const {
@@ -102,6 +102,7 @@ class World {
   private:
     const eliminant::Surface& surface_;
     eliminant::ClipRegion region_;
+    eliminant::Run& run_;
     std::vector<Triangle> triangles_;
 };
 
@@ -110,7 +111,7 @@ void draw() {
     eliminant::Run run;
     const auto surface = eliminant::algebraic_surface(
         eliminant::parse_equation(ring, "(x^2+y^2+z^2+3/4)^2 = 4*(x^2+y^2)", run), run);
-    World world(*surface, eliminant::ClipRegion().add(eliminant::Ball{glm::dvec3(0), 2}));
+    World world(*surface, eliminant::ClipRegion().add(eliminant::Ball{glm::dvec3(0), 2}), run);
     world.add({{{{-4, -1.2, 4}, {4, -1.2, 4}, {-4, -1.2, -4}}}});
     world.add({{{{4, -1.2, 4}, {4, -1.2, -4}, {-4, -1.2, -4}}}});
 

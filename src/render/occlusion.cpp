@@ -32,28 +32,30 @@ OcclusionProbe::OcclusionProbe(const scene::Surface& surface, const scene::ClipR
     reach_ = options.ambient_reach * radius;
 }
 
-bool OcclusionProbe::is_blocked(const Place& place, const glm::dvec3& direction, double reach) const {
+bool OcclusionProbe::is_blocked(const Place& place, const glm::dvec3& direction, double reach,
+                                base::Run& run) const {
     const scene::Ray ray{place.point + offset_ * place.normal, direction};
     scene::Interval inside = clip_.interval(ray);
     inside.upper = std::min(inside.upper, reach);
-    return !inside.empty() && surface_.occluded(ray, inside);
+    return !inside.empty() && surface_.occluded(ray, inside, run);
 }
 
-float OcclusionProbe::visibility(const Place& place, std::size_t light, std::uint64_t& rays) const {
+float OcclusionProbe::visibility(const Place& place, std::size_t light, std::uint64_t& rays,
+                                 base::Run& run) const {
     constexpr double everywhere = std::numeric_limits<double>::infinity();
     const glm::dvec3& towards = lights_[light].towards;
     const double least_cosine = lights_[light].least_cosine;
     if (least_cosine == 1) {
         if (!(glm::dot(place.normal, towards) > 0)) return 0; // shading knows, too
         ++rays;
-        return is_blocked(place, towards, everywhere) ? 0 : 1;
+        return is_blocked(place, towards, everywhere, run) ? 0 : 1;
     }
     const std::uint32_t count = options_.shadow_rays;
     const SampleSet samples(seed_, place.column, place.row, light + 1, count);
     std::uint32_t arrived = 0;
     const auto send = [&](SampleSet::Point sample) {
         ++rays;
-        if (!is_blocked(place, direction_in_cone(towards, least_cosine, sample), everywhere)) ++arrived;
+        if (!is_blocked(place, direction_in_cone(towards, least_cosine, sample), everywhere, run)) ++arrived;
     };
     // Where the rays to the middle and the rim of the light all fare alike, so do nearly always the others.
     // Rays to arbitrary points of it would agree too often in a penumbra, which makes specks.
@@ -69,12 +71,12 @@ float OcclusionProbe::visibility(const Place& place, std::size_t light, std::uin
     return static_cast<float>(arrived) / static_cast<float>(count);
 }
 
-float OcclusionProbe::openness(const Place& place, std::uint64_t& rays) const {
+float OcclusionProbe::openness(const Place& place, std::uint64_t& rays, base::Run& run) const {
     const std::uint32_t count = options_.ambient_rays;
     const SampleSet samples(seed_, place.column, place.row, 0, count);
     std::uint32_t open = 0;
     for (std::uint32_t i = 0; i < count; ++i)
-        if (!is_blocked(place, direction_by_cosine(place.normal, samples[i]), reach_)) ++open;
+        if (!is_blocked(place, direction_by_cosine(place.normal, samples[i]), reach_, run)) ++open;
     rays += count;
     return static_cast<float>(open) / static_cast<float>(count);
 }

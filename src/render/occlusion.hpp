@@ -29,9 +29,9 @@ class OcclusionProbe {
     };
 
     /// The part of a light that arrives. Adds the number of rays to `rays`.
-    float visibility(const Place& place, std::size_t light, std::uint64_t& rays) const;
+    float visibility(const Place& place, std::size_t light, std::uint64_t& rays, base::Run& run) const;
     /// The part of the ambient light that arrives.
-    float openness(const Place& place, std::uint64_t& rays) const;
+    float openness(const Place& place, std::uint64_t& rays, base::Run& run) const;
 
     bool has_shadows() const { return options_.shadows; }
     bool has_ambient() const { return options_.ambient_rays > 0; }
@@ -41,7 +41,7 @@ class OcclusionProbe {
         glm::dvec3 towards; ///< of length 1
         double least_cosine = 1;
     };
-    bool is_blocked(const Place& place, const glm::dvec3& direction, double reach) const;
+    bool is_blocked(const Place& place, const glm::dvec3& direction, double reach, base::Run& run) const;
 
     const scene::Surface& surface_;
     const scene::ClipRegion& clip_;

@@ -70,7 +70,7 @@ SamplePainter::SamplePainter(const scene::Surface& surface, const Camera& camera
 
 void SamplePainter::paint(Density density, const scene::RayGrid& rays, const scene::Tile& tile,
                           std::span<const scene::Hit> hits, std::span<float> colours, Scratch& scratch,
-                          const base::Run& run) const {
+                          base::Run& run) const {
     const Samples samples{density == Density::single ? probe_ : share_probe_, rays, tile, hits, colours};
     ShadingBatch& batch = scratch.batch;
     batch.count = 0;
@@ -99,7 +99,7 @@ void SamplePainter::paint(Density density, const scene::RayGrid& rays, const sce
     paint_batch(samples, scratch, run);
 }
 
-void SamplePainter::paint_batch(const Samples& samples, Scratch& scratch, const base::Run& run) const {
+void SamplePainter::paint_batch(const Samples& samples, Scratch& scratch, base::Run& run) const {
     ShadingBatch& batch = scratch.batch;
     orient(batch);
     if (colouring_ == Colouring::material) {
@@ -115,7 +115,7 @@ void SamplePainter::paint_batch(const Samples& samples, Scratch& scratch, const 
     batch.count = 0;
 }
 
-void SamplePainter::occlude(const Samples& samples, Scratch& scratch, const base::Run& run) const {
+void SamplePainter::occlude(const Samples& samples, Scratch& scratch, base::Run& run) const {
     ShadingBatch& batch = scratch.batch;
     if (samples.probe.has_shadows()) batch.visibility.resize(light_count_);
     for (std::size_t i = 0; i < batch.count; ++i) {
@@ -126,9 +126,9 @@ void SamplePainter::occlude(const Samples& samples, Scratch& scratch, const base
                                           samples.tile.column + sample % samples.tile.width,
                                           samples.tile.row + sample / samples.tile.width};
         for (std::size_t light = 0; light < batch.visibility.size(); ++light)
-            batch.visibility[light][i] = samples.probe.visibility(place, light, scratch.occlusion_rays);
+            batch.visibility[light][i] = samples.probe.visibility(place, light, scratch.occlusion_rays, run);
         if (samples.probe.has_ambient())
-            batch.openness[i] = samples.probe.openness(place, scratch.occlusion_rays);
+            batch.openness[i] = samples.probe.openness(place, scratch.occlusion_rays, run);
     }
 }
 

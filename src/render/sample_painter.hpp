@@ -33,12 +33,12 @@ class SamplePainter {
     /// The colours of the rays of a tile, given their hits; 3 · tile.size() floats.
     void paint(Density density, const scene::RayGrid& rays, const scene::Tile& tile,
                std::span<const scene::Hit> hits, std::span<float> colours, Scratch& scratch,
-               const base::Run& run) const;
+               base::Run& run) const;
 
   private:
     struct Samples; // the arguments of paint
-    void paint_batch(const Samples& samples, Scratch& scratch, const base::Run& run) const;
-    void occlude(const Samples& samples, Scratch& scratch, const base::Run& run) const;
+    void paint_batch(const Samples& samples, Scratch& scratch, base::Run& run) const;
+    void occlude(const Samples& samples, Scratch& scratch, base::Run& run) const;
     Colour false_colour(const Samples& samples, const ShadingBatch& batch, std::size_t i,
                         std::size_t sample) const;
 

@@ -81,7 +81,7 @@ class SphereTracer::Packet {
     bool done() const { return walkers_.empty(); }
 
     /// One step of every ray that is still on its way.
-    void step(const base::Run& run) {
+    void step(base::Run& run) {
         points_.clear();
         for (const Walker& walker : walkers_) points_.push_back(walker.ray.at(walker.t));
         radii_.resize(points_.size());
@@ -95,14 +95,14 @@ class SphereTracer::Packet {
         statistics.steps += points_.size();
         std::size_t kept = 0;
         for (std::size_t i = 0; i < walkers_.size(); ++i)
-            if (goes_on(walkers_[i], radii_[i])) walkers_[kept++] = walkers_[i];
+            if (goes_on(walkers_[i], radii_[i], run)) walkers_[kept++] = walkers_[i];
         walkers_.resize(kept);
     }
 
     SphereStatistics statistics;
 
   private:
-    bool goes_on(Walker& walker, double radius) {
+    bool goes_on(Walker& walker, double radius, base::Run& run) {
         const double half_pixel = tracer_.pixel_at_origin_ + walker.t * tracer_.pixel_growth_;
         ++walker.steps;
         const Outcome outcome = advance(walker, radius, half_pixel);
@@ -114,18 +114,18 @@ class SphereTracer::Packet {
         }
         if (outcome == Outcome::came_near) {
             ++statistics.came_near;
-            hand_over(walker, walker.t);
+            hand_over(walker, walker.t, run);
             return false;
         }
         if (walker.steps < tracer_.options_.most_steps) return true;
         ++statistics.ran_out;
-        hand_over(walker, std::min(walker.free, walker.upper));
+        hand_over(walker, std::min(walker.free, walker.upper), run);
         return false;
     }
 
-    void hand_over(const Walker& walker, double from) {
+    void hand_over(const Walker& walker, double from, base::Run& run) {
         scene::Hit& hit = hits_[walker.pixel];
-        hit = tracer_.surface_.first_hit(walker.ray, {from, walker.upper});
+        hit = tracer_.surface_.first_hit(walker.ray, {from, walker.upper}, run);
         hit.steps = saturated(walker.steps);
     }
 

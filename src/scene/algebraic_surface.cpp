@@ -64,18 +64,16 @@ class AlgebraicSurface final : public Surface {
         return make_grid_tracer(f_, compiled_, roots_, *this, rays, clip, run);
     }
 
-    Hit first_hit(const Ray& ray, Interval interval) const override {
+    Hit first_hit(const Ray& ray, Interval interval, base::Run& run) const override {
         require_ray(ray);
         require_interval(interval);
         if (interval.empty()) return {};
-        base::Run run;
         return hit_at(ray, roots_.first(ray.origin, ray.direction, interval.lower, interval.upper, run));
     }
 
-    std::vector<Hit> all_hits(const Ray& ray, Interval interval) const override {
+    std::vector<Hit> all_hits(const Ray& ray, Interval interval, base::Run& run) const override {
         require_ray(ray);
         require_interval(interval);
-        base::Run run;
         std::vector<Hit> hits;
         for (const field::RayRoot& root :
              roots_.all(ray.origin, ray.direction, interval.lower, interval.upper, run))
@@ -83,10 +81,9 @@ class AlgebraicSurface final : public Surface {
         return hits;
     }
 
-    bool occluded(const Ray& ray, Interval interval) const override {
+    bool occluded(const Ray& ray, Interval interval, base::Run& run) const override {
         require_ray(ray);
         require_interval(interval);
-        base::Run run;
         return roots_.first(ray.origin, ray.direction, interval.lower, interval.upper, run).kind !=
                field::RayRoot::Kind::none;
     }
@@ -102,7 +99,7 @@ class AlgebraicSurface final : public Surface {
         return field::distance(distances_, point, level).value;
     }
     Curvature curvature(glm::dvec3 point) const override { return curvature_of(compiled_.jet(point)); }
-    Ball framing_ball() const override { return frame(*this, asymptotic_radius(f_)); }
+    Ball framing_ball(base::Run& run) const override { return frame(*this, asymptotic_radius(f_), run); }
 
   private:
     Hit hit_at(const Ray& ray, const field::RayRoot& root) const {
@@ -136,7 +133,7 @@ class ConstantSurface final : public Surface {
                                        base::Run& /*run*/) const override {
         return make_ray_by_ray_tracer(*this, rays, clip);
     }
-    Hit first_hit(const Ray& ray, Interval interval) const override {
+    Hit first_hit(const Ray& ray, Interval interval, base::Run& /*run*/) const override {
         require_ray(ray);
         require_interval(interval);
         if (interval.empty()) return {};
@@ -145,8 +142,8 @@ class ConstantSurface final : public Surface {
         miss.side = static_cast<std::int8_t>(sign_);
         return miss;
     }
-    std::vector<Hit> all_hits(const Ray& ray, Interval interval) const override {
-        const Hit hit = first_hit(ray, interval);
+    std::vector<Hit> all_hits(const Ray& ray, Interval interval, base::Run& run) const override {
+        const Hit hit = first_hit(ray, interval, run);
         return hit ? std::vector{hit} : std::vector<Hit>{};
     }
     int sign(glm::dvec3 /*point*/) const override { return sign_; }
@@ -156,7 +153,7 @@ class ConstantSurface final : public Surface {
         return sign_ == 0 ? 0.0 : std::numeric_limits<double>::infinity();
     }
     Curvature curvature(glm::dvec3 /*point*/) const override { return {}; }
-    Ball framing_ball() const override { return {}; }
+    Ball framing_ball(base::Run& /*run*/) const override { return {}; }
 
   private:
     int sign_;

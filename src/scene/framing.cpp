@@ -13,7 +13,7 @@ namespace {
 
 /// The farthest point from the origin where rays along the axes, `count` × `count` for each axis, enter or
 /// leave the surface within the ball; 0 without hits.
-double farthest_hit(const Surface& surface, double radius, int count) {
+double farthest_hit(const Surface& surface, double radius, int count, base::Run& run) {
     double farthest = 0.0;
     for (int axis = 0; axis < 3; ++axis)
         for (int i = 0; i < count; ++i)
@@ -28,7 +28,7 @@ double farthest_hit(const Surface& surface, double radius, int count) {
                     glm::dvec3 direction(0.0);
                     direction[axis] = sense;
                     const double reach = std::sqrt(squared);
-                    const Hit hit = surface.first_hit({origin, direction}, {-reach, reach});
+                    const Hit hit = surface.first_hit({origin, direction}, {-reach, reach}, run);
                     if (hit) farthest = std::max(farthest, glm::length(origin + hit.t * direction));
                 }
             }
@@ -73,16 +73,16 @@ double asymptotic_radius(const algebra::Polynomial& f) {
     return told ? radius : 1.0;
 }
 
-Ball frame(const Surface& surface, double radius_if_unbounded) {
+Ball frame(const Surface& surface, double radius_if_unbounded, base::Run& run) {
     constexpr double least = 0x1p-6;
     constexpr double largest = 0x1p8;
     const glm::dvec3 origin(0.0);
     // From the largest ball down to the first that has hits not only near its middle.
     for (double radius = largest; radius >= least; radius *= 0.5) {
-        const double farthest = farthest_hit(surface, radius, 5);
+        const double farthest = farthest_hit(surface, radius, 5, run);
         if (farthest <= 0.3 * radius) continue;
         if (radius == largest) break;
-        return {origin, 1.1 * std::max(farthest, farthest_hit(surface, 1.5 * radius, 16))};
+        return {origin, 1.1 * std::max(farthest, farthest_hit(surface, 1.5 * radius, 16, run))};
     }
     return {origin, radius_if_unbounded};
 }

@@ -14,6 +14,6 @@ double asymptotic_radius(const algebra::Polynomial& f);
 /// A ball about the origin that shows a surface: if it seems bounded, because a bundle of rays meets it in
 /// some ball but not in the next ones of twice the size, one that holds all hits of a finer bundle; else the
 /// ball of the radius given.
-Ball frame(const Surface& surface, double radius_if_unbounded);
+Ball frame(const Surface& surface, double radius_if_unbounded, base::Run& run);
 
 } // namespace eliminant::scene

@@ -54,7 +54,7 @@ class RayByRayTracer final : public GridTracer {
                 run.poll();
                 const Ray ray =
                     rays_.ray(static_cast<double>(tile.column + c), static_cast<double>(tile.row + r));
-                hits[r * tile.width + c] = surface_.first_hit(ray, clip_.interval(ray));
+                hits[r * tile.width + c] = surface_.first_hit(ray, clip_.interval(ray), run);
             }
     }
 

@@ -4,8 +4,8 @@
 
 namespace eliminant::scene {
 
-bool Surface::occluded(const Ray& ray, Interval interval) const {
-    return static_cast<bool>(first_hit(ray, interval));
+bool Surface::occluded(const Ray& ray, Interval interval, base::Run& run) const {
+    return static_cast<bool>(first_hit(ray, interval, run));
 }
 
 void Surface::distances(std::span<const glm::dvec3> points, field::DistanceLevel level,

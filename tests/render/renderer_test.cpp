@@ -73,7 +73,7 @@ TEST(Renderer, EveryPixelOfASphereIsAsComputedByHand) {
     for (std::uint32_t row = 0; row < 70; ++row)
         for (std::uint32_t column = 0; column < 90; ++column) {
             const scene::Ray ray = rays.ray(column, row);
-            const scene::Hit hit = surface.first_hit(ray, {0, 100});
+            const scene::Hit hit = surface.first_hit(ray, {0, 100}, run);
             const Colour colour = image.colour(column, row);
             if (!hit) {
                 EXPECT_EQ(colour, lighting.background);

@@ -25,12 +25,13 @@ class Spheres : public scene::Surface {
         return std::make_unique<Tracer>(*this, rays, clip);
     }
 
-    scene::Hit first_hit(const scene::Ray& ray, scene::Interval interval) const override {
-        const std::vector<scene::Hit> hits = all_hits(ray, interval);
+    scene::Hit first_hit(const scene::Ray& ray, scene::Interval interval, base::Run& run) const override {
+        const std::vector<scene::Hit> hits = all_hits(ray, interval, run);
         return hits.empty() ? scene::Hit{} : hits.front();
     }
 
-    std::vector<scene::Hit> all_hits(const scene::Ray& ray, scene::Interval interval) const override {
+    std::vector<scene::Hit> all_hits(const scene::Ray& ray, scene::Interval interval,
+                                     base::Run& /*run*/) const override {
         std::vector<scene::Hit> hits;
         const double a = glm::dot(ray.direction, ray.direction);
         for (const scene::Ball& ball : balls_) {
@@ -68,19 +69,19 @@ class Spheres : public scene::Surface {
         const double k = sign_ / nearest(point).radius;
         return {k, k * k, k, k};
     }
-    scene::Ball framing_ball() const override { return balls_.front(); }
+    scene::Ball framing_ball(base::Run& /*run*/) const override { return balls_.front(); }
 
   private:
     class Tracer : public scene::GridTracer {
       public:
         Tracer(const Spheres& surface, const scene::RayGrid& rays, const scene::ClipRegion& clip)
             : surface_(surface), rays_(rays), clip_(clip) {}
-        void trace(const scene::Tile& tile, std::span<scene::Hit> hits, base::Run&) const override {
+        void trace(const scene::Tile& tile, std::span<scene::Hit> hits, base::Run& run) const override {
             for (std::size_t i = 0; i < tile.size(); ++i) {
                 const scene::Ray ray = rays_.ray(static_cast<double>(tile.column + i % tile.width),
                                                  static_cast<double>(tile.row + i / tile.width));
                 const scene::Interval inside = clip_.interval(ray);
-                hits[i] = inside.empty() ? scene::Hit{} : surface_.first_hit(ray, inside);
+                hits[i] = inside.empty() ? scene::Hit{} : surface_.first_hit(ray, inside, run);
             }
         }
 

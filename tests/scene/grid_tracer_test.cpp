@@ -60,9 +60,10 @@ void expect_as_single_rays(const Surface& surface, const RayGrid& rays, const Cl
                            const std::string& what) {
     const auto hits = trace(surface, rays, clip);
     int met = 0;
+    base::Run run;
     for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
         const Ray ray = ray_of(rays, pixel);
-        const Hit single = surface.first_hit(ray, clip.interval(ray));
+        const Hit single = surface.first_hit(ray, clip.interval(ray), run);
         ASSERT_EQ(static_cast<bool>(hits[pixel]), static_cast<bool>(single)) << what << ", pixel " << pixel;
         if (!single) continue;
         ++met;
@@ -227,6 +228,17 @@ TEST(GridTracer, RepeatedFactorsAndHighDegrees) {
     EXPECT_GT(met, 3);
 }
 
+TEST(Surface, SingleRaysAndFramingCanBeStopped) {
+    const auto surface = surface_of("x^100+x*y^80*z+z^100-1"); // too high a degree for floating point
+    base::Run stopped;
+    stopped.request_stop();
+    const Ray ray{{0.1, 0.2, 5}, {0.3, 0.1, -1}};
+    EXPECT_THROW(surface->first_hit(ray, {0, 10}, stopped), base::Stopped);
+    EXPECT_THROW(surface->all_hits(ray, {0, 10}, stopped), base::Stopped);
+    EXPECT_THROW(surface->occluded(ray, {0, 10}, stopped), base::Stopped);
+    EXPECT_THROW(surface->framing_ball(stopped), base::Stopped);
+}
+
 TEST(GridTracer, Errors) {
     base::Run run;
     const auto sphere = surface_of("x^2+y^2+z^2-1");
@@ -239,9 +251,9 @@ TEST(GridTracer, Errors) {
     EXPECT_THROW(tracer->trace({0, 0, 4, 8}, hits, run), base::DomainError);
     rays.direction_dx.x = std::nan("");
     EXPECT_THROW(sphere->tracer(rays, clip, run), base::DomainError);
-    EXPECT_THROW(sphere->first_hit({{0, 0, 0}, {0, 0, 0}}, {0.0, 1.0}), base::DomainError);
-    EXPECT_THROW(sphere->first_hit({{0, 0, std::nan("")}, {0, 0, 1}}, {0.0, 1.0}), base::DomainError);
-    EXPECT_THROW(sphere->first_hit({{0, 0, 0}, {0, 0, 1}}, {0.0, std::nan("")}), base::DomainError);
+    EXPECT_THROW(sphere->first_hit({{0, 0, 0}, {0, 0, 0}}, {0.0, 1.0}, run), base::DomainError);
+    EXPECT_THROW(sphere->first_hit({{0, 0, std::nan("")}, {0, 0, 1}}, {0.0, 1.0}, run), base::DomainError);
+    EXPECT_THROW(sphere->first_hit({{0, 0, 0}, {0, 0, 1}}, {0.0, std::nan("")}, run), base::DomainError);
     EXPECT_THROW(
         algebraic_surface(parse_polynomial(Ring(CoefficientField::prime(7), {"x", "y"}), {"x", "f"}), run),
         base::DomainError);

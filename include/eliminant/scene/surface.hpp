@@ -95,12 +95,12 @@ class Surface {
                                                base::Run& run) const = 0;
 
     /// The first hit with t in the closed interval.
-    virtual Hit first_hit(const Ray& ray, Interval interval) const = 0;
+    virtual Hit first_hit(const Ray& ray, Interval interval, base::Run& run) const = 0;
     /// Every hit with t in the closed interval, ascending; one `contained` hit if the ray lies in the
     /// surface.
-    virtual std::vector<Hit> all_hits(const Ray& ray, Interval interval) const = 0;
+    virtual std::vector<Hit> all_hits(const Ray& ray, Interval interval, base::Run& run) const = 0;
     /// Whether there is any hit in the closed interval: for shadows.
-    virtual bool occluded(const Ray& ray, Interval interval) const;
+    virtual bool occluded(const Ray& ray, Interval interval, base::Run& run) const;
 
     /// Sign of the function: −1, 0 or +1, exact.
     virtual int sign(glm::dvec3 point) const = 0;
@@ -120,7 +120,7 @@ class Surface {
     /// A ball outside of which nothing needs to be drawn to see the surface, for a camera that has to be
     /// placed without being told where: it contains the surface if that is bounded and small, and is a
     /// sensible part of it otherwise.
-    virtual Ball framing_ball() const = 0;
+    virtual Ball framing_ball(base::Run& run) const = 0;
 };
 
 } // namespace eliminant::scene
