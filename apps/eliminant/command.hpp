@@ -34,6 +34,7 @@ std::unique_ptr<Command> make_implicitize();
 std::unique_ptr<Command> make_verify();
 std::unique_ptr<Command> make_contains_point();
 std::unique_ptr<Command> make_preimages();
+std::unique_ptr<Command> make_inversion();
 std::unique_ptr<Command> make_groebner();
 std::unique_ptr<Command> make_divide();
 std::unique_ptr<Command> make_eliminate();

@@ -99,8 +99,7 @@ class DistanceCommand : public Command {
 
     ExitStatus run(std::span<const std::string> operands, Session& session) override {
         if (!at_) throw UsageError("expected a point, as --at '1,2/3,0.5', found none");
-        if (session.format() != ResultFormat::text && session.format() != ResultFormat::json)
-            throw UsageError("--format: expected text or json, as the result is no polynomial");
+        require_text_or_json(session);
         const Polynomial f = read_surface(operands, constants_, session).polynomial;
         const std::array<mpq_class, 3> point = read_point(*at_, f);
         if (f.is_zero()) session.console().warning("the polynomial is 0: every point is on its surface");

@@ -19,6 +19,7 @@ constexpr std::array commands{
     CommandEntry{"contains-point", "whether a point lies on the image of a parametrization",
                  make_contains_point},
     CommandEntry{"preimages", "the parameters that reach a point", make_preimages},
+    CommandEntry{"inversion", "the parameters as rational functions of the point", make_inversion},
     CommandEntry{"verify", "check the certificate of an implicit equation", make_verify},
     CommandEntry{"groebner", "reduced Groebner basis of a polynomial system", make_groebner},
     CommandEntry{"divide", "multivariate division with quotients and remainder", make_divide},

@@ -1,11 +1,13 @@
 /// \file
 /// `eliminant preimages` and `eliminant contains-point`.
 #include "command.hpp"
-#include "input.hpp"
+#include "constant_values.hpp"
+#include "parametrization_argument.hpp"
 #include "results.hpp"
 
 #include "eliminant/algebra/parse.hpp"
 #include "eliminant/algebra/print.hpp"
+#include "eliminant/implicit/implicitize.hpp"
 #include "eliminant/implicit/preimages.hpp"
 
 #include <algorithm>
@@ -18,18 +20,10 @@ namespace eliminant::app {
 namespace {
 
 constexpr std::string_view input_help =
-    "The parametrization is a file, '-', or statements (see 'eliminant implicitize --help'), without "
-    "symbolic\n"
-    "constants. Coordinates of the point are exact: 1/3 and 0.1 mean these numbers.\n";
+    "The parametrization is a file, '-', or statements (see 'eliminant implicitize --help'); its symbolic\n"
+    "constants get their values by --set. Numbers are exact: 1/3 and 0.1 mean what they say.\n";
 
-Parametrization read_shape(std::span<const std::string> operands, Run& run) {
-    const Input input = input_of(operands, looks_like_equation, run);
-    if (input.parts.size() == 1)
-        return parse_parametrization(SourceText(input.parts.front().text, input.parts.front().name), run);
-    std::vector<SourceText> statements;
-    for (const Input::Part& part : input.parts) statements.emplace_back(part.text, part.name);
-    return parse_parametrization(statements, run);
-}
+constexpr std::string_view owner_of_constants = "the parametrization";
 
 /// The numbers of `--at 'x,y,z'`.
 class PointOption {
@@ -59,11 +53,6 @@ class PointOption {
     std::optional<std::string> text_;
 };
 
-void require_text_or_json(const Session& session) {
-    if (session.format() != ResultFormat::text && session.format() != ResultFormat::json)
-        throw UsageError("--format: expected text or json, as the result is no polynomial");
-}
-
 class PreimagesCommand : public Command {
   public:
     std::string_view usage() const override { return "[FILE | - | 'x = …' 'y = …' …] --at 'x,y,…'"; }
@@ -83,15 +72,20 @@ class PreimagesCommand : public Command {
             "\n"
             "Examples:\n"
             "  eliminant preimages 'x = t^2-1' 'y = t^3-t' --at '0,0'\n"
-            "  eliminant preimages 'x = s+t' 'y = s*t' 'z = s-t' --at '3,2,-1'\n";
+            "  eliminant preimages 'x = s+t' 'y = s*t' 'z = s-t' --at '3,2,-1'\n"
+            "  eliminant preimages 'constants r' 'x = r*cos(u)' 'y = r*sin(u)' --set r=5 --at '3,4'\n";
         return text;
     }
 
-    void declare(OptionSet& options) override { point_.declare(options); }
+    void declare(OptionSet& options) override {
+        point_.declare(options);
+        constants_.declare(options);
+    }
 
     ExitStatus run(std::span<const std::string> operands, Session& session) override {
         require_text_or_json(session);
-        const Parametrization parametrization = read_shape(operands, session.run());
+        const Parametrization parametrization = constants_.put_into(
+            read_parametrization(operands, session.run()), owner_of_constants, session.run());
         const Preimages found =
             preimages(parametrization, point_.read(parametrization.coordinates().size()), session.run());
         session.write_result(session.format() == ResultFormat::json ? json(found, session.run())
@@ -141,6 +135,7 @@ class PreimagesCommand : public Command {
     }
 
     PointOption point_;
+    ConstantValues constants_;
 };
 
 class ContainsPointCommand : public Command {
@@ -166,14 +161,17 @@ class ContainsPointCommand : public Command {
     void declare(OptionSet& options) override {
         point_.declare(options);
         options.flag("image", 0, "the image itself, not its closure", image_);
+        constants_.declare(options);
     }
 
     ExitStatus run(std::span<const std::string> operands, Session& session) override {
         require_text_or_json(session);
-        const Parametrization parametrization = read_shape(operands, session.run());
+        const Parametrization parametrization = constants_.put_into(
+            read_parametrization(operands, session.run()), owner_of_constants, session.run());
         const std::vector<mpq_class> point = point_.read(parametrization.coordinates().size());
-        const bool contains = image_ ? preimages(parametrization, point, session.run()).dimension >= 0
-                                     : on_closure(parametrization, point, session.run());
+        const bool contains =
+            image_ ? preimages(parametrization, point, session.run()).dimension >= 0
+                   : closure_contains(implicitize(parametrization, {}, session.run()), point, session.run());
         const std::string word = contains ? "true" : "false";
         session.write_result(session.format() == ResultFormat::json ? "{\"contains\":" + word + "}\n"
                                                                     : word + "\n");
@@ -181,14 +179,8 @@ class ContainsPointCommand : public Command {
     }
 
   private:
-    static bool on_closure(const Parametrization& parametrization, std::span<const mpq_class> point,
-                           Run& run) {
-        if (!parametrization.constants().empty())
-            throw DomainError("contains-point: the constants of the parametrization have no values");
-        return closure_contains(implicitize(parametrization, {}, run), point, run);
-    }
-
     PointOption point_;
+    ConstantValues constants_;
     bool image_ = false;
 };
 

@@ -28,6 +28,11 @@ exporting::Format syntax(ResultFormat format) {
 
 } // namespace
 
+void require_text_or_json(const Session& session) {
+    if (session.format() != ResultFormat::text && session.format() != ResultFormat::json)
+        throw UsageError("--format: expected text or json, as the result is no polynomial");
+}
+
 std::string to_text(const Json& json) { return json.dump() + "\n"; }
 
 Json strings(std::span<const Polynomial> polynomials) {

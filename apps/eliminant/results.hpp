@@ -20,6 +20,9 @@ namespace eliminant::app {
 /// Fields appear in the order in which they are set, which is the documented one.
 using Json = nlohmann::ordered_json;
 
+/// For results that are no polynomials. \throws UsageError if another format was asked for
+void require_text_or_json(const Session& session);
+
 /// On one line.
 std::string to_text(const Json& json);
 

@@ -1,7 +1,7 @@
 #include "surface_argument.hpp"
 
 #include "input.hpp"
-#include "suggestion.hpp"
+#include "parametrization_argument.hpp"
 
 #include "eliminant/algebra/evaluation.hpp"
 #include "eliminant/algebra/parse.hpp"
@@ -47,36 +47,7 @@ SurfaceText kind_of(std::string_view text) {
     return equations > 1 ? SurfaceText::formulas : SurfaceText::polynomial;
 }
 
-/// The values of the constants that occur, as evaluate() takes them.
-struct Substitution {
-    std::vector<std::size_t> variables;
-    std::vector<mpq_class> values;
-};
-
-[[noreturn]] void reject_without_value(const std::string& name) {
-    throw UsageError("SURFACE: expected a value for the constant '" + name + "', as --set " + name +
-                     "=2, found none");
-}
-
-/// Every name that occurs must have a value, and every value a name that occurs.
-Substitution substitution(const Ring& ring, std::span<const std::size_t> constants,
-                          const ConstantValues& given) {
-    Substitution result;
-    std::vector<std::string_view> names;
-    for (const std::size_t variable : constants) {
-        const std::string& name = ring.names()[variable];
-        names.push_back(name);
-        const auto found = std::ranges::find(given.values(), name, &ConstantValues::Value::name);
-        if (found == given.values().end()) reject_without_value(name);
-        result.variables.push_back(variable);
-        result.values.push_back(found->value);
-    }
-    for (const ConstantValues::Value& value : given.values())
-        if (std::ranges::find(names, value.name) == names.end())
-            throw UsageError("--set: expected a constant of the surface, found '" + value.name + "'" +
-                             did_you_mean(value.name, names));
-    return result;
-}
+constexpr std::string_view owner_of_constants = "the surface";
 
 /// The polynomial in the ring QQ[x, y, z], its variables being mapped in their sequence.
 Polynomial in_coordinates(const Polynomial& f, std::size_t coordinates) {
@@ -95,22 +66,8 @@ Polynomial read_polynomial(const SourceText& source, const ConstantValues& given
     }
     const Ring ring(CoefficientField::rationals(), std::move(names));
     Polynomial f = parse_equation(ring, source, run); // first, so that a text which is no formula is told so
-    const Substitution at = substitution(ring, constants, given);
-    return in_coordinates(evaluate(f, at.variables, at.values, run), 3);
-}
-
-/// The same map with numbers for its constants.
-Parametrization with_values(const Parametrization& map, const ConstantValues& given, Run& run) {
-    const Substitution at = substitution(map.ring(), map.constants(), given);
-    const auto specialised = [&](const Polynomial& f) { return evaluate(f, at.variables, at.values, run); };
-    std::vector<Coordinate> coordinates;
-    for (const Coordinate& coordinate : map.coordinates())
-        coordinates.push_back({coordinate.name, RationalFunction(specialised(coordinate.value.numerator),
-                                                                 specialised(coordinate.value.denominator))});
-    std::vector<Polynomial> relations;
-    for (const Polynomial& relation : map.relations()) relations.push_back(specialised(relation));
-    return {map.ring(),      map.constants(),      std::move(coordinates),
-            map.rotations(), std::move(relations), map.warnings()};
+    const std::vector<mpq_class> values = given.of(ring, constants, owner_of_constants);
+    return in_coordinates(evaluate(f, constants, values, run), 3);
 }
 
 SurfaceArgument implicit_surface(const Parametrization& general, ParameterRange range,
@@ -119,7 +76,7 @@ SurfaceArgument implicit_surface(const Parametrization& general, ParameterRange 
     if (coordinates < 2 || coordinates > 3)
         throw UsageError("SURFACE: expected a parametrization of 2 or 3 coordinates, found " +
                          std::to_string(coordinates));
-    const Parametrization map = with_values(general, given, session.run());
+    const Parametrization map = given.put_into(general, owner_of_constants, session.run());
     const ImplicitResult result = implicitize(map, {}, session.run());
     for (const std::string& warning : result.warnings) session.console().warning(warning);
     if (result.equations.size() != 1 || result.codimension != 1)
@@ -131,34 +88,12 @@ SurfaceArgument implicit_surface(const Parametrization& general, ParameterRange 
 
 } // namespace
 
-void ConstantValues::declare(OptionSet& options) {
-    options.values("set", "NAME=VALUE", "the value of a constant, as r=2 or r=1/3; once for each constant",
-                   [this](std::string_view text) { set(text); });
-}
-
-void ConstantValues::set(std::string_view text) {
-    const std::size_t sign = text.find('=');
-    const std::string name(trimmed(text.substr(0, sign)));
-    if (sign == std::string_view::npos || !algebra::is_identifier(name))
-        throw UsageError("--set", "NAME=VALUE, as r=2", "'" + std::string(text) + "'");
-    Value value{name, parse_rational(SourceText(text.substr(sign + 1), "--set " + name))};
-    const auto earlier = std::ranges::find(values_, name, &Value::name);
-    if (earlier == values_.end())
-        values_.push_back(std::move(value));
-    else
-        *earlier = std::move(value); // the last of several wins, as with every option
-}
-
 SurfaceArgument read_surface(std::span<const std::string> operands, const ConstantValues& constants,
                              Session& session) {
     Run& run = session.run();
-    if (operands.size() > 1) {
-        const Input input = input_of(operands, looks_like_equation, run);
-        std::vector<SourceText> statements;
-        for (const Input::Part& part : input.parts) statements.emplace_back(part.text, part.name);
-        return implicit_surface(parse_parametrization(statements, run), ParameterRange::chosen, constants,
+    if (operands.size() > 1)
+        return implicit_surface(read_parametrization(operands, run), ParameterRange::chosen, constants,
                                 session);
-    }
     const Input input = input_of(operands, looks_like_polynomial, run);
     const SourceText source(input.parts.front().text, input.parts.front().name);
     const SurfaceText kind = kind_of(source.text());

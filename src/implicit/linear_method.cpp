@@ -8,7 +8,6 @@
 
 namespace eliminant::implicit {
 
-using algebra::Integer;
 using algebra::Polynomial;
 using algebra::PrimeField;
 
@@ -25,18 +24,6 @@ std::uint64_t weight_of(const RationalMap& map, const RationalMap::Component& co
     std::int64_t degree = component.numerator.total_degree();
     if (component.over_denominator) degree = std::max(degree, map.denominator.total_degree());
     return static_cast<std::uint64_t>(std::max<std::int64_t>(degree, 1));
-}
-
-Polynomial polynomial_of(const algebra::Ring& ring, const Support& support,
-                         const Coefficients& coefficients) {
-    algebra::PolynomialBuilder builder(ring);
-    std::vector<std::uint64_t> exponents(support.coordinates());
-    for (std::size_t i = 0; i < coefficients.size(); ++i) {
-        if (coefficients[i] == 0) continue;
-        std::ranges::copy(support[i], exponents.begin());
-        builder.add(Integer(coefficients[i]), exponents);
-    }
-    return builder.build().monic();
 }
 
 std::vector<std::uint64_t> weights_of(const RationalMap& map) {
@@ -63,7 +50,7 @@ class LinearMethod {
             problem_.ring.with_field(algebra::CoefficientField::prime(field.characteristic()));
         if (by_sections_) return image_by_sections(map, ring);
         algebra::Random random(run_.seed() + field.characteristic());
-        const PointSource points = [&] { return random_image(map, random); };
+        const PointSource points = [&] { return map.random_image(random); };
         if (support_.size() == 0) {
             if (auto f = learn(field, points, ring)) return f;
             by_sections_ = sections_.is_applicable();
@@ -71,7 +58,7 @@ class LinearMethod {
         }
         const auto coefficients = first_vanishing(field, support_, points, run_);
         if (!coefficients || coefficients->size() != support_.size()) return std::nullopt;
-        return polynomial_of(ring, support_, *coefficients);
+        return monic_polynomial(ring, support_, *coefficients);
     }
 
     std::string describe() const {
@@ -80,18 +67,10 @@ class LinearMethod {
     }
 
   private:
-    static std::optional<std::vector<std::uint32_t>> random_image(const MapModulo& map,
-                                                                  algebra::Random& random) {
-        constexpr int attempts = 50;
-        for (int i = 0; i < attempts; ++i)
-            if (auto point = map.image(map.random_point(random))) return point;
-        return std::nullopt;
-    }
-
     std::optional<Polynomial> image_by_sections(const MapModulo& map, const algebra::Ring& ring) {
         const auto image = sections_.image(map, run_);
         if (!image) return std::nullopt;
-        return polynomial_of(ring, image->support, image->coefficients);
+        return monic_polynomial(ring, image->support, image->coefficients);
     }
 
     /// Tries the monomials of ascending degree.
@@ -107,7 +86,7 @@ class LinearMethod {
             const auto coefficients = first_vanishing(field, candidates, points, run_);
             if (!coefficients) continue;
             support_ = candidates.where_nonzero(*coefficients);
-            return polynomial_of(ring, candidates, *coefficients);
+            return monic_polynomial(ring, candidates, *coefficients);
         }
         return std::nullopt;
     }

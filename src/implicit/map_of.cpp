@@ -1,10 +1,14 @@
 #include "implicit/map_of.hpp"
 
 #include <numeric>
+#include <optional>
 
 namespace eliminant::implicit {
 
-RationalMap map_of(const Parametrization& parametrization, base::Run& run) {
+namespace {
+
+RationalMap map_with(const Parametrization& parametrization, std::optional<std::size_t> parameter,
+                     base::Run& run) {
     const algebra::Ring& given = parametrization.ring();
     std::vector<std::string> names;
     std::vector<std::size_t> place(given.variable_count());
@@ -25,7 +29,18 @@ RationalMap map_of(const Parametrization& parametrization, base::Run& run) {
     for (const Coordinate& coordinate : parametrization.coordinates())
         functions.emplace_back(coordinate.value.numerator.in_ring(ring, place),
                                coordinate.value.denominator.in_ring(ring, place));
+    if (parameter) functions.emplace_back(algebra::Polynomial::variable(ring, place[*parameter]));
     return rational_map(ring, constants, rotations, functions, run);
+}
+
+} // namespace
+
+RationalMap map_of(const Parametrization& parametrization, base::Run& run) {
+    return map_with(parametrization, std::nullopt, run);
+}
+
+RationalMap graph_of(const Parametrization& parametrization, std::size_t parameter, base::Run& run) {
+    return map_with(parametrization, parameter, run);
 }
 
 } // namespace eliminant::implicit

@@ -186,8 +186,10 @@ class Reader {
             if (!is_angle || outside_.contains(name)) names.push_back(name);
             if (!is_angle) continue;
             rotations_[name] = {names.size(), names.size() + 1};
-            names.push_back(fresh_name("cos_" + name));
-            names.push_back(fresh_name("sin_" + name));
+            const std::int64_t unit = angle_units_.at(name);
+            const std::string angle = (unit == 1 ? "" : std::to_string(unit)) + name;
+            names.push_back(fresh_name("cos_" + angle)); // cos_2u for cos(2u)
+            names.push_back(fresh_name("sin_" + angle));
             if (outside_.contains(name))
                 warnings_.push_back(
                     "the parameter " + name +

@@ -90,6 +90,18 @@ void Support::evaluate(const PrimeField& field, std::span<const std::uint32_t> p
     }
 }
 
+algebra::Polynomial monic_polynomial(const algebra::Ring& ring, const Support& support,
+                                     const Coefficients& coefficients) {
+    algebra::PolynomialBuilder builder(ring);
+    std::vector<std::uint64_t> exponents(support.coordinates());
+    for (std::size_t i = 0; i < coefficients.size(); ++i) {
+        if (coefficients[i] == 0) continue;
+        std::ranges::copy(support[i], exponents.begin());
+        builder.add(algebra::Integer(coefficients[i]), exponents);
+    }
+    return builder.build().monic();
+}
+
 std::optional<Coefficients> first_vanishing(const PrimeField& field, const Support& support,
                                             const PointSource& points, base::Run& run) {
     // A row that adds no pivot shows a dependence; two further points must agree with it. Random values agree

@@ -1,6 +1,7 @@
 // Polynomials over GF(p) that vanish at points, by linear algebra.
 #pragma once
 
+#include "eliminant/algebra/polynomial.hpp"
 #include "eliminant/algebra/prime_field.hpp"
 #include "eliminant/base/run.hpp"
 
@@ -51,6 +52,10 @@ using PointSource = std::function<std::optional<std::vector<std::uint32_t>>()>;
 
 /// A linear combination of the first monomials of a support, the last coefficient of which is 1.
 using Coefficients = std::vector<std::uint32_t>;
+
+/// The combination divided by its leading coefficient, in a ring over GF(p).
+algebra::Polynomial monic_polynomial(const algebra::Ring& ring, const Support& support,
+                                     const Coefficients& coefficients);
 
 /// The combination of as few of the first monomials as possible that vanishes at the points of a source, if
 /// these are general points of an irreducible set: with monomials in the sequence of an admissible order, the

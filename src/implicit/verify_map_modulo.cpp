@@ -86,4 +86,11 @@ std::vector<MapModulo::Element> MapModulo::random_point(algebra::Random& random)
     return point;
 }
 
+std::optional<std::vector<MapModulo::Element>> MapModulo::random_image(algebra::Random& random) const {
+    constexpr int attempts = 50;
+    for (int i = 0; i < attempts; ++i)
+        if (auto coordinates = image(random_point(random))) return coordinates;
+    return std::nullopt;
+}
+
 } // namespace eliminant::implicit

@@ -42,6 +42,8 @@ class MapModulo {
     bool is_over_denominator(std::size_t coordinate) const { return over_denominator_[coordinate]; }
     /// Values for all variables.
     std::vector<Element> random_point(algebra::Random& random) const;
+    /// The coordinates at a random point; nullopt if the denominator is zero at many of them.
+    std::optional<std::vector<Element>> random_image(algebra::Random& random) const;
 
   private:
     /// Coefficients and, row by row, exponents of all variables.

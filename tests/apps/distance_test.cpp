@@ -74,7 +74,7 @@ TEST(Distance, WritesJson) {
 TEST(Distance, SaysWhatIsWrong) {
     expect_error(run({"distance", "x"}), 2, "expected a point, as --at '1,2/3,0.5', found none");
     expect_error(run({"distance", "x*r", "--at", "1,2,3"}), 2,
-                 "SURFACE: expected a value for the constant 'r', as --set r=2, found none");
+                 "--set: expected a value for the constant 'r' of the surface, as --set r=2, found none");
     expect_error(run({"distance", "x*radius", "--at", "1,2,3", "--set", "radius=1", "--set", "radios=2"}), 2,
                  "--set: expected a constant of the surface, found 'radios'; did you mean 'radius'?");
     expect_error_with(run({"distance", "x", "--at", "1,2,a"}), 2, "--at:1:5: expected a number, found 'a'");

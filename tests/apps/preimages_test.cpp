@@ -1,4 +1,4 @@
-// `eliminant preimages` and `eliminant contains-point`.
+// `eliminant preimages`, `eliminant contains-point` and `eliminant inversion`.
 #include "program.hpp"
 
 namespace eliminant::test {
@@ -45,7 +45,50 @@ TEST(ContainsPoint, ErrorsSayWhatIsMissing) {
                  "--at: expected a number for each of the 2 coordinates, found 1");
     expect_error_with(ask({"preimages", "--at", "1,x"}, node), 2, "--at:1:3: ");
     expect_error_with(ask({"preimages", "--at", "1,2", "--format", "latex"}, node), 2, "--format: ");
-    expect_error_with(ask({"preimages", "--at", "1,2"}, {"constants r", "x = r*t", "y = t"}), 2, "constants");
+}
+
+TEST(Preimages, TakeValuesOfConstants) {
+    const std::vector<std::string> circle{"constants r", "x = r*cos(u)", "y = r*sin(u)"};
+    expect_output(ask({"preimages", "--at", "3,4", "--set", "r=5"}, circle), "cos_u = 3/5, sin_u = 4/5\n");
+    expect_output(ask({"contains-point", "--at", "3,4", "--set", "r=5"}, circle), "true\n");
+    EXPECT_EQ(ask({"contains-point", "--image", "--at", "3,4", "--set", "r=6"}, circle).output, "false\n");
+    // As if it had been written with the number: (t²−1)/(t−1) is t+1, also at t = 1.
+    expect_output(
+        ask({"preimages", "--at", "2,1", "--set", "r=1"}, {"constants r", "x = (t^2-r)/(t-1)", "y = t"}),
+        "t = 1\n");
+    for (const std::string command : {"preimages", "contains-point"}) {
+        expect_error(
+            ask({command, "--at", "1,2"}, circle), 2,
+            "--set: expected a value for the constant 'r' of the parametrization, as --set r=2, found "
+            "none");
+        expect_error(ask({command, "--at", "1,2", "--set", "r=1", "--set", "R=1"}, circle), 2,
+                     "--set: expected a constant of the parametrization, found 'R'");
+    }
+    expect_error_with(ask({"preimages", "--at", "1", "--set", "r=0"}, {"constants r", "x = t/r"}), 2,
+                      "denominator");
+}
+
+TEST(Inversion, IsPrintedALineAParameter) {
+    expect_output(ask({"inversion"}, node), "t = (y)/(x)\n");
+    expect_output(ask({"inversion"}, {"x = s*t", "y = s", "z = t^2"}), "s = y\nt = (x)/(y)\n");
+    expect_output(ask({"inversion"}, {"constants r", "x = r*cos(u)", "y = r*sin(u)"}),
+                  "cos_u = (x)/(r)\nsin_u = (y)/(r)\n");
+    expect_output(ask({"inversion"}, {"x = cos(2u)", "y = sin(4u)"}), "cos_2u = x\nsin_2u = (y)/(2*x)\n");
+    expect_output(ask({"inversion", "--format", "json"}, node),
+                  "{\"variables\":[\"x\",\"y\"],\"parametrization_degree\":1,\"parameters\":[{\"name\":\"t\","
+                  "\"numerator\":\"y\",\"denominator\":\"x\"}]}\n");
+}
+
+TEST(Inversion, SaysWhyThereIsNone) {
+    expect_error(ask({"inversion"}, {"x = t^2", "y = t^4"}), 1,
+                 "no such formula: 2 parameter values reach a general point");
+    expect_error(ask({"inversion"}, {"x = s+t", "y = (s+t)^2", "z = 1"}), 1,
+                 "no such formula: infinitely many parameter values reach a general point");
+    const ProcessResult json = ask({"inversion", "--format", "json"}, {"x = t^2", "y = t^4"});
+    EXPECT_EQ(json.output, "{\"variables\":[\"x\",\"y\"],\"parametrization_degree\":2,\"parameters\":[]}\n");
+    EXPECT_EQ(json.status, 1);
+    expect_error_with(ask({"inversion"}, {"relation s^2 = t^3", "x = s", "y = t"}), 2, "relations");
+    expect_error_with(ask({"inversion", "--format", "latex"}, node), 2, "--format: ");
 }
 
 } // namespace

@@ -1,0 +1,47 @@
+/// \file
+/// The parameters as functions of the point they reach.
+#pragma once
+
+#include "eliminant/implicit/parametrization.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace eliminant::implicit {
+
+/// The inverse of a parametrization as a rational map from the closure of its image.
+struct Inversion {
+    /// ℚ[coordinates, constants]
+    algebra::Ring ring;
+    /// How many parameter values over the algebraic closure reach a general point of the image; nullopt if
+    /// infinitely many.
+    std::optional<std::uint64_t> parametrization_degree;
+    /// If it is one value, each parameter, by the name it has in the ring of the parametrization, as a
+    /// function of the coordinates; otherwise none.
+    std::vector<Coordinate> parameters;
+};
+
+/// The inversion formulas of a parametrization that is injective at general points. Each is t = N/D with
+///
+///     t·D(φ(t, …)) = N(φ(t, …)) and D(φ(t, …)) ≠ 0
+///
+/// for the map φ, as functions of the parameters; so it holds on an open dense part of the image, where D is
+/// not zero. The greater degree of N and D is least possible, and then the leading monomial of D; N and D
+/// have integer coefficients without common factor, the leading one of D being positive, unless D is 1.
+///
+/// t·D − N is the first linear dependence between monomials in the coordinates and t that are at most linear
+/// in t, on the graph of t over the image; it is found at points modulo primes, put together by Chinese
+/// remaindering, and then proved: the identity by values modulo enough primes, and that D is not zero by one
+/// value. For n such monomials it takes O(n³) a prime.
+///
+/// \throws DomainError if the parameters satisfy relations other than those of angles
+/// \throws Stopped
+Inversion inversion(const Parametrization& parametrization, base::Run& run);
+
+} // namespace eliminant::implicit
+
+namespace eliminant {
+using implicit::Inversion;
+using implicit::inversion;
+} // namespace eliminant
