@@ -62,11 +62,11 @@ TEST(ParseParametrization, AllowsNoParametersAtAll) {
 
 TEST(ParseParametrization, TurnsAnglesIntoPairs) {
     const Parametrization p = parametrization_of("x = cos(2u)\ny = sin(4*u) + sin(-2u)\nz = cos(v+v+v)^2");
-    EXPECT_EQ(names_of(p, p.parameters()), (Names{"cos_u", "sin_u", "cos_v", "sin_v"}));
+    EXPECT_EQ(names_of(p, p.parameters()), (Names{"cos_2u", "sin_2u", "cos_3v", "sin_3v"}));
     ASSERT_EQ(p.rotations().size(), 2U);
-    EXPECT_EQ(to_string(p.coordinates()[0].value.numerator), "cos_u"); // of the angle 2u
-    EXPECT_EQ(to_string(p.coordinates()[1].value.numerator), "2*cos_u*sin_u-sin_u");
-    EXPECT_EQ(to_string(p.coordinates()[2].value.numerator), "cos_v^2");
+    EXPECT_EQ(to_string(p.coordinates()[0].value.numerator), "cos_2u"); // of the angle 2u
+    EXPECT_EQ(to_string(p.coordinates()[1].value.numerator), "2*cos_2u*sin_2u-sin_2u");
+    EXPECT_EQ(to_string(p.coordinates()[2].value.numerator), "cos_3v^2");
     EXPECT_TRUE(p.warnings().empty());
 }
 
