@@ -122,7 +122,7 @@ ControlNet random_net(std::uint64_t seed, std::size_t directions, bool spline, b
 
 TEST(ControlNet, PiecesAreSumsOfBasisFunctions) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-        for (const std::size_t directions : {1, 2}) {
+        for (const std::size_t directions : {1U, 2U}) {
             for (const bool spline : {false, true}) {
                 SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(directions));
                 expect_pieces(random_net(seed, directions, spline, seed % 2 == 0));

@@ -135,7 +135,7 @@ void expect_point(const LineFibre& fibre, Residue t, Residue height) {
 TEST(CurveFibres, HoldTheParametersOfALine) {
     base::Run run;
     Random random(3);
-    for (const std::size_t n : {1, 2, 5, 12}) {
+    for (const std::size_t n : {1U, 2U, 5U, 12U}) {
         const std::array forms = {random_form(0, n, random), random_form(0, n, random),
                                   random_form(0, n, random)};
         const Residues direction = random_residues(1, random);
@@ -239,8 +239,8 @@ struct DensePolynomial {
 
 TEST(LineInterpolation, IsTheInverseOfRestriction) {
     Random random(8);
-    for (const std::size_t variables : {2, 3}) {
-        for (const std::size_t degree : {1, 2, 3, 6}) {
+    for (const std::size_t variables : {2U, 3U}) {
+        for (const std::size_t degree : {1U, 2U, 3U, 6U}) {
             const DensePolynomial F(variables, degree, random);
             const Residues direction = random_residues(variables - 1, random);
             LineInterpolation lines(field, degree, direction, random_residues(variables - 1, random));
