@@ -221,6 +221,7 @@ RayRoots::RayRoots(const algebra::Polynomial& f) {
             data->majorant[e[0] + e[1] + e[2]] += std::abs(c.high) * (1.0 + 0x1p-40);
         }
     }
+    if (SparseRay::is_for(f)) data->sparse.emplace(f);
     data_ = std::move(data);
 }
 
@@ -229,6 +230,8 @@ RayRoot RayRoots::first(const glm::dvec3& origin, const glm::dvec3& direction, d
     require(origin, direction, lower, upper);
     if (!(lower <= upper)) return {};
     if (data_->is_zero) return contained_at(lower);
+    if (data_->sparse)
+        if (const auto root = data_->sparse->first(origin, direction, lower, upper, run)) return *root;
     WideRay ray;
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);

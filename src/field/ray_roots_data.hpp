@@ -2,6 +2,7 @@
 
 #include "field/beam_layout.hpp"
 #include "field/double_double.hpp"
+#include "field/sparse_ray.hpp"
 
 #include "eliminant/algebra/polynomial.hpp"
 #include "eliminant/field/ray_roots.hpp"
@@ -24,7 +25,8 @@ struct RayRootsData {
     algebra::Polynomial f;
     BeamLayout layout; ///< of degree 0 if f is constant, or too large for floating point
     std::vector<DoubleDouble> coefficients;
-    std::vector<double> majorant; ///< [m] ≥ Σ |c| over the terms of degree m
+    std::vector<double> majorant;    ///< [m] ≥ Σ |c| over the terms of degree m
+    std::optional<SparseRay> sparse; ///< if f has few terms for its degree
     bool is_zero = false;
 };
 

@@ -379,7 +379,7 @@ std::unique_ptr<GridTracer> make_grid_tracer(const algebra::Polynomial& f,
                                              const field::RayRoots& roots, const Surface& surface,
                                              const RayGrid& rays, const ClipRegion& clip, base::Run& run) {
     require_grid(rays, clip);
-    if (f.total_degree() <= static_cast<std::int64_t>(field::max_kernel_degree)) {
+    if (!roots.data().sparse && f.total_degree() <= static_cast<std::int64_t>(field::max_kernel_degree)) {
         const double free_radius = surface.distance(rays.origin, field::DistanceLevel::guaranteed);
         if (auto frame = BeamFrame::make(rays, *clip.bounding_ball(), free_radius))
             return std::make_unique<BeamTracer>(f, compiled, roots, rays, clip, std::move(*frame), run);

@@ -10,7 +10,8 @@
 
 namespace eliminant::scene {
 
-/// Traces a pencil of rays or parallel rays as one beam (field::ExactBeam), any other grid ray by ray.
+/// Traces a pencil of rays or parallel rays as one beam (field::ExactBeam); any other grid, degrees beyond
+/// its kernels and polynomials with few terms for their degree (field::SparseRay) ray by ray.
 ///
 /// \param f squarefree, not constant
 /// \param roots of f

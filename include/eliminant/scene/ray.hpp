@@ -30,7 +30,8 @@ struct Interval {
 ///
 /// Perspective cameras have zero origin steps, orthographic ones zero direction steps; any other combination
 /// is allowed. The members are doubles, but the rays are the exact sums: what is certified about pixel (c, r)
-/// is certified for that ray, without the rounding that ray() cannot avoid.
+/// is certified for that ray, without the rounding that ray() cannot avoid. Only grids that are of neither
+/// kind, degrees above 56, and degrees above 12 with few terms are traced ray by ray, as ray() rounds them.
 struct RayGrid {
     std::size_t width = 1;
     std::size_t height = 1;
