@@ -9,6 +9,16 @@
 
 namespace eliminant::app {
 
+namespace {
+
+[[noreturn]] void reject_without_value(const std::string& name, std::string_view owner) {
+    std::string message = "--set: expected a value for the constant '";
+    message.append(name).append("' of ").append(owner);
+    throw UsageError(message.append(", as --set ").append(name).append("=2, found none"));
+}
+
+} // namespace
+
 void ConstantValues::declare(OptionSet& options) {
     options.values("set", "NAME=VALUE", "the value of a constant, as r=2 or r=1/3; once for each constant",
                    [this](std::string_view text) { set(text); });
@@ -37,9 +47,7 @@ std::vector<mpq_class> ConstantValues::of(const Ring& ring, std::span<const std:
         const std::string& name = ring.names()[variable];
         names.push_back(name);
         const auto found = std::ranges::find(values_, name, &Value::name);
-        if (found == values_.end())
-            throw UsageError("--set: expected a value for the constant '" + name + "' of " +
-                             std::string(owner) + ", as --set " + name + "=2, found none");
+        if (found == values_.end()) reject_without_value(name, owner);
         result.push_back(found->value);
     }
     for (const Value& value : values_)

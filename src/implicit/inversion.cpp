@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 
 namespace eliminant::implicit {
 
@@ -204,6 +205,10 @@ Inversion inversion(const Parametrization& parametrization, base::Run& run) {
     Inversion result{closure_ring(parametrization, algebra::MonomialOrder::degrevlex()), 1, {}};
     if (parametrization.parameters().empty()) return result;
     const RationalMap map = map_of(parametrization, run);
+    if (degree_of(map) > max_counted_degree)
+        throw DomainError("inversion: expected a parametrization of degree at most " +
+                          std::to_string(max_counted_degree) + ", found one of degree " +
+                          std::to_string(degree_of(map)));
     result.parametrization_degree = map_degree(map, run);
     // Fibres that are finite, but did not agree, say nothing: formulas do, if there are any.
     if (!result.parametrization_degree && has_finite_fibres(parametrization, map, run))

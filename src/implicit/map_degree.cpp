@@ -106,7 +106,15 @@ std::optional<std::uint64_t> fibre_size(const RationalMap& map, const PrimeField
 
 } // namespace
 
+std::int64_t degree_of(const RationalMap& map) {
+    std::int64_t degree = map.denominator.total_degree();
+    for (const auto& component : map.components)
+        degree = std::max(degree, component.numerator.total_degree());
+    return degree;
+}
+
 std::optional<std::uint64_t> map_degree(const RationalMap& map, base::Run& run) {
+    if (degree_of(map) > max_counted_degree) return std::nullopt;
     const std::vector<std::size_t> parameters = occurring_parameters(map);
     // One that does not occur has infinitely many values.
     if (parameters.empty() || parameters.size() < map.parameters.size()) return std::nullopt;

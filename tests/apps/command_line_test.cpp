@@ -36,8 +36,8 @@ TEST(CommandLine, EveryExampleInTheHelpWorksWhenPasted) {
     // Some examples read files of data/, some write.
     const ScratchDirectory scratch;
     std::filesystem::create_directory_symlink(ELIMINANT_DATA_DIR, scratch.path("data"));
-    for (const std::string command : {"", "implicitize", "contains-point", "preimages", "verify", "groebner",
-                                      "divide", "eliminate", "ideal", "distance"}) {
+    for (const std::string command : {"", "implicitize", "contains-point", "preimages", "inversion", "verify",
+                                      "groebner", "divide", "eliminate", "ideal", "distance"}) {
         const ProcessResult help = command.empty() ? run({"--help"}) : run({command, "--help"});
         EXPECT_EQ(help.status, 0);
         EXPECT_EQ(help.output.rfind("Usage: eliminant", 0), 0U);

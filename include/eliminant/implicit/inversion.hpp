@@ -35,7 +35,8 @@ struct Inversion {
 /// remaindering, and then proved: the identity by values modulo enough primes, and that D is not zero by one
 /// value. For n such monomials it takes O(n³) a prime.
 ///
-/// \throws DomainError if the parameters satisfy relations other than those of angles
+/// \throws DomainError if the parameters satisfy relations other than those of angles, or if numerators and
+/// denominators have degrees beyond 20000
 /// \throws Stopped
 Inversion inversion(const Parametrization& parametrization, base::Run& run);
 
