@@ -178,7 +178,7 @@ class ImplicitizeCommand : public Command {
         if (order_) options.order = parse_order(SourceText(*order_, "--order"), coordinates);
 
         std::optional<Destination> certificate;
-        if (certificate_) certificate.emplace(*certificate_);
+        if (certificate_) certificate = session.destination_beside_result("--certificate", *certificate_);
         const ImplicitResult result = implicitize(*parametrization, options, session.run());
         describe(result, "", session);
         if (certificate) write_certificate(*certificate, *parametrization, result, session);

@@ -1,11 +1,15 @@
 #include "session.hpp"
 
+#include "option_set.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
+#include <system_error>
 
 #include <fcntl.h>
 #include <gmp.h>
@@ -91,6 +95,27 @@ InterruptGuard::~InterruptGuard() {
     interrupted_run = nullptr;
 }
 
+namespace {
+
+bool is_standard_output(const std::string& file) {
+    return file.empty() || file == "-" || file == "/dev/stdout";
+}
+
+/// Whether what is written to one of two destinations would be mixed with the other, or replaced by it.
+bool are_one_place(const std::string& a, const std::string& b) {
+    const auto path = [](const std::string& file) {
+        return std::filesystem::path(is_standard_output(file) ? "/dev/stdout" : file);
+    };
+    if (is_standard_output(a) && is_standard_output(b)) return true;
+    std::error_code ignored;
+    if (std::filesystem::is_character_file(path(a), ignored)) return false; // /dev/null takes both
+    return std::filesystem::equivalent(path(a), path(b), ignored) ||
+           std::filesystem::weakly_canonical(path(a), ignored) ==
+               std::filesystem::weakly_canonical(path(b), ignored);
+}
+
+} // namespace
+
 Session::Session(const CommonOptions& options, Console& console)
     : options_(options), console_(console), destination_(options.output), run_(run_options(options, console)),
       interrupt_guard_(run_) {
@@ -104,6 +129,13 @@ Session::Session(const CommonOptions& options, Console& console)
 
 double Session::seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+Destination Session::destination_beside_result(std::string_view option, const std::string& file) const {
+    if (are_one_place(file, output()))
+        throw UsageError(option, "another place than that of the result",
+                         is_standard_output(file) ? "standard output" : "'" + file + "'");
+    return Destination(file);
 }
 
 void Session::write_result(std::string_view text) {

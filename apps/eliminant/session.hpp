@@ -46,6 +46,10 @@ class Session {
     unsigned threads() const { return run_.threads(); }
     double seconds() const; ///< since the session began
 
+    /// A file for something besides the result. \throws UsageError if it is where the result goes, for one of
+    /// them would be lost, FileError if it cannot be written
+    Destination destination_beside_result(std::string_view option, const std::string& file) const;
+
     /// Writes the result, unless the run was stopped meanwhile.
     void write_result(std::string_view text);
     /// For a result that is written in parts.

@@ -3,6 +3,7 @@
 #include "certificate_json.hpp"
 #include "command.hpp"
 #include "input.hpp"
+#include "results.hpp"
 
 #include "eliminant/implicit/verify.hpp"
 
@@ -31,6 +32,7 @@ class VerifyCommand : public Command {
     void declare(OptionSet& /*options*/) override {}
 
     ExitStatus run(std::span<const std::string> operands, Session& session) override {
+        require_text_or_json(session);
         const Input input = input_of(
             operands, [](std::string_view) { return false; }, session.run());
         const Input::Part& file = input.parts.front();
@@ -43,6 +45,14 @@ class VerifyCommand : public Command {
 
   private:
     static ExitStatus report(Session& session, const Verdict& verdict) {
+        if (session.format() == ResultFormat::json) {
+            Json json;
+            json["valid"] = verdict.holds;
+            json["statement"] = verdict.statement;
+            json["checked"] = verdict.checked;
+            session.write_result(to_text(json));
+            return verdict.holds ? exit_done : exit_negative;
+        }
         std::string lines;
         for (const std::string& sentence : verdict.checked) lines += "checked: " + sentence + "\n";
         lines += (verdict.holds ? "valid: " : "invalid: ") + verdict.statement + "\n";

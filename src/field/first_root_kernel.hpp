@@ -149,7 +149,7 @@ class FirstRoot {
             const double* const matrix = bernstein_ + j;
             const std::ptrdiff_t row = n + 1;
             Pack even = q[0] * Pack::all(matrix[0]);
-            Pack odd = q[1] * Pack::all(matrix[row]);
+            Pack odd = n > 0 ? q[1] * Pack::all(matrix[row]) : Pack::all(0.0);
             repeat(n / 2, [&](int i) ELIMINANT_INLINE {
                 even = fma(q[2 * i + 2], Pack::all(matrix[(2 * i + 2) * row]), even);
             });

@@ -6,10 +6,6 @@ namespace eliminant::groebner {
 
 using algebra::Polynomial;
 
-namespace {
-
-/// Whether the polynomials are a Groebner basis because their leading monomials are pairwise coprime
-/// (Buchberger's first criterion), as those of X_i − f_i(t) where X_i is large.
 bool have_coprime_leads(std::span<const Polynomial> polynomials) {
     std::vector<bool> seen(polynomials.empty() ? 0 : polynomials.front().ring().variable_count(), false);
     for (const Polynomial& f : polynomials) {
@@ -22,8 +18,6 @@ bool have_coprime_leads(std::span<const Polynomial> polynomials) {
     }
     return true;
 }
-
-} // namespace
 
 std::optional<std::vector<std::uint64_t>> weights_compared_first(const algebra::Ring& ring) {
     const auto keys = ring.order().keys(ring.variable_count());

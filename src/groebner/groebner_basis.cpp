@@ -65,9 +65,11 @@ std::vector<Polynomial> in_ring(std::span<const Polynomial> polynomials, const R
 /// Over ℚ F4 modulo primes finds a basis sooner, but a proof that costs less than Buchberger's algorithm is
 /// known only where the leading monomials modulo a prime are known to be all (see trace_proof.hpp): so for n
 /// equations in n variables, which mostly have finitely many solutions, and homogeneous ones that can be a
-/// complete intersection.
+/// complete intersection. Where there is nothing but tails to reduce, there is nothing to lift either.
 Algorithm suitable(const Ring& ring, std::span<const Polynomial> generators, Proof proof) {
-    if (!ring.field().is_rationals() || proof == Proof::none) return Algorithm::f4;
+    if (!ring.field().is_rationals()) return Algorithm::f4;
+    if (have_coprime_leads(generators)) return Algorithm::buchberger;
+    if (proof == Proof::none) return Algorithm::f4;
     const auto count = static_cast<std::size_t>(
         std::ranges::count_if(generators, [](const Polynomial& f) { return !f.is_zero(); }));
     const bool may_be_proved =

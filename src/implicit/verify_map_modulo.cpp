@@ -44,7 +44,8 @@ void MapModulo::restrict_to(const Terms& f, std::span<const std::vector<Element>
                             std::size_t variable, Univariate& target) const {
     target.assign(variable < variable_count_ ? degrees_[variable] + 1 : 1, 0);
     for (std::size_t i = 0; i < f.coefficients.size(); ++i) {
-        const std::uint64_t* exponents = &f.exponents[i * variable_count_];
+        const std::uint64_t* const exponents =
+            f.exponents.data() + i * variable_count_; // none without parameters
         Element value = f.coefficients[i];
         for (std::size_t j = 0; j < variable_count_; ++j)
             if (j != variable && exponents[j] != 0) value = field_.multiply(value, powers[j][exponents[j]]);

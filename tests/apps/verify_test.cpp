@@ -65,6 +65,31 @@ TEST(Verify, WhatIsNoCertificateIsBadInput) {
     EXPECT_EQ(run({"verify", "no/such/file"}).status, 2);
 }
 
+TEST(Verify, AVerdictInJson) {
+    const ProcessResult cusp =
+        run_with_input({"verify", "-", "--format", "json"}, certificate_of({"x = t^2", "y = t^3"}));
+    const Json verdict = Json::parse(cusp.output);
+    EXPECT_EQ(verdict["valid"], true);
+    EXPECT_EQ(verdict["checked"].size(), 3U);
+    expect_error(run({"verify", "-", "--format", "latex"}), 2,
+                 "--format: expected text or json, as the result is no polynomial");
+}
+
+TEST(Verify, CertificateAndResultDoNotGoToOnePlace) {
+    const ScratchDirectory scratch;
+    const std::string file = scratch.path("same");
+    for (const std::vector<std::string>& places :
+         {std::vector<std::string>{"--certificate", file, "-o", file}, {"--certificate", "-"}}) {
+        std::vector<std::string> command = {"implicitize", "x = t", "y = t^2"};
+        command.insert(command.end(), places.begin(), places.end());
+        const ProcessResult result = run(command);
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.output, "");
+        EXPECT_NE(result.errors.find("another place than that of the result"), std::string::npos);
+    }
+    EXPECT_TRUE(scratch.names().empty());
+}
+
 TEST(Verify, NoCertificateIsWrittenForRelations) {
     const ScratchDirectory scratch;
     const ProcessResult result = run(

@@ -14,6 +14,7 @@
 namespace eliminant::implicit {
 namespace {
 
+/// They refer to the text.
 std::vector<ShapeSource> sources_of(const std::string& text) {
     base::Run run;
     return shape_sources(SourceText(text, "test"), run);
@@ -100,7 +101,8 @@ TEST(Batch, ResultsComeInSequenceEachOrAnErrorOfItsOwn) {
 
 TEST(Batch, StopsAsAWhole) {
     base::Run run;
-    const auto sources = sources_of("patch a\nx = t\ny = t^2\npatch b\nx = t\ny = t^3\n");
+    const std::string text = "patch a\nx = t\ny = t^2\npatch b\nx = t\ny = t^3\n";
+    const auto sources = sources_of(text);
     int results = 0;
     EXPECT_THROW(implicitize_shapes(sources, {}, run,
                                     [&](const ShapeResult&) {
