@@ -31,7 +31,18 @@
 
 namespace {
 
-using namespace eliminant;
+using eliminant::CoefficientField;
+using eliminant::CompiledPolynomial;
+using eliminant::derivative;
+using eliminant::distance;
+using eliminant::DistanceField;
+using eliminant::DistanceLevel;
+using eliminant::JetArrays;
+using eliminant::parse_polynomial;
+using eliminant::parse_rational;
+using eliminant::PointArrays;
+using eliminant::Polynomial;
+using eliminant::Ring;
 
 constexpr std::size_t block = 256;
 constexpr std::size_t blocks = 4'000;   ///< 1,024,000 points
@@ -104,7 +115,7 @@ class Writer {
             power[last] = e[last];
             product = monomial(rest) + "*" + monomial(power);
         }
-        const std::string name = std::string("m").append(std::to_string(names_.size()));
+        std::string name = std::string("m").append(std::to_string(names_.size()));
         names_[e] = name;
         definitions_ += "    const double " + name + " = " + product + ";\n";
         return name;

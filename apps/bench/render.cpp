@@ -25,7 +25,26 @@
 
 namespace {
 
-using namespace eliminant;
+using eliminant::algebraic_surface;
+using eliminant::Ball;
+using eliminant::Camera;
+using eliminant::ClipRegion;
+using eliminant::CoefficientField;
+using eliminant::Hit;
+using eliminant::Image;
+using eliminant::ImageFormat;
+using eliminant::ImageSize;
+using eliminant::Lighting;
+using eliminant::parse_polynomial;
+using eliminant::parse_rational;
+using eliminant::render_image;
+using eliminant::RenderOptions;
+using eliminant::Ring;
+using eliminant::Run;
+using eliminant::RunOptions;
+using eliminant::Tile;
+using eliminant::write_image;
+namespace render = eliminant::render;
 
 double user_seconds() {
     rusage usage{};

@@ -128,7 +128,7 @@ std::vector<mpz_class> ExactBeam::on_ray(const mpq_class& u, const mpq_class& v)
     const mpz_class numerator_u(u * denominator);
     const mpz_class numerator_v(v * denominator);
     std::vector<mpz_class> powers{1};
-    for (std::size_t i = 0; i < n; ++i) powers.push_back(powers.back() * denominator);
+    for (std::size_t i = 0; i < n; ++i) powers.emplace_back(powers.back() * denominator);
     Coefficients result(n + 1);
     for (std::size_t k = 0; k <= n; ++k) {
         for (std::size_t b = layout_.rows(k, n) + 1; b-- > 0;) {

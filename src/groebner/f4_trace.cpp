@@ -9,7 +9,6 @@
 
 namespace eliminant::groebner {
 
-using algebra::Integer;
 using algebra::Polynomial;
 
 std::optional<F4Trace> F4Trace::learn(const algebra::Ring& ring, std::span<const Polynomial> generators,
