@@ -253,10 +253,13 @@ class ImplicitizeCommand : public Command {
         Console& console = session.console();
         for (const std::string& warning : result.warnings) console.warning(prefix + warning);
         for (const std::string& note : result.notes) console.detail(prefix + "note: " + note);
-        console.detail(prefix + "method: " + std::string(to_string(result.method)));
+        console.detail(std::string(prefix).append("method: ").append(to_string(result.method)));
         if (!result.choice.empty()) console.detail(prefix + result.choice);
-        console.detail(prefix + "assurance: " + std::string(to_string(result.assurance)) + ": " +
-                       result.proof);
+        console.detail(std::string(prefix)
+                           .append("assurance: ")
+                           .append(to_string(result.assurance))
+                           .append(": ")
+                           .append(result.proof));
         console.detail(prefix + "primes used: " + std::to_string(result.statistics.primes_used));
         console.detail(prefix + statistics_line(result.statistics.basis, session.seconds()));
     }

@@ -129,8 +129,7 @@ SparseRay::SparseRay(const algebra::Polynomial& f) : degree_(static_cast<std::si
             if (const auto e = static_cast<std::size_t>(f.exponent(i, axis)); e > 0)
                 exponents.insert(exponents.end(), {e - 1, e});
         std::ranges::sort(exponents);
-        const auto repeated = std::ranges::unique(exponents);
-        exponents.erase(repeated.begin(), repeated.end());
+        exponents.erase(std::unique(exponents.begin(), exponents.end()), exponents.end());
     }
     std::size_t bits = 0;
     for (const algebra::Integer& c : f.integer_terms().coefficients) bits = std::max(bits, c.bit_length());
