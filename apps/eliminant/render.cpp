@@ -97,7 +97,9 @@ class RenderCommand : public Command {
         const RenderOptions options = settings_.rendering();
         const ImageFormat format = has_picture ? settings_.format_of(session.output()) : ImageFormat::png;
         std::optional<Destination> depth_destination;
-        if (!settings_.depth_file().empty()) depth_destination.emplace(settings_.depth_file());
+        if (const std::string& file = settings_.depth_file(); !file.empty())
+            depth_destination =
+                has_picture ? session.destination_beside_result("--depth", file) : Destination(file);
 
         const SurfaceArgument argument = read_surface(operands, constants_, session);
         const std::unique_ptr<Surface> surface = algebraic_surface(argument.polynomial, session.run());
@@ -121,6 +123,9 @@ class RenderCommand : public Command {
         session.console().clear_progress();
         if (depths) depths->finish();
         if (picture) picture->finish();
+        if (statistics.hits == 0) session.console().warning("no ray meets the surface");
+        if (argument.polynomial.is_zero())
+            session.console().warning("every point is on the surface of the zero polynomial");
         describe(statistics, session);
         return exit_done;
     }

@@ -73,7 +73,8 @@ void RenderSettings::declare_view(OptionSet& options) {
     options.value("look-at", 0, "X,Y,Z",
                   "the point in the middle of the picture (default: that of what is shown)",
                   into(look_at_, "--look-at", read_point));
-    options.value("up", 0, "X,Y,Z", "the direction that is up (default 0,1,0)",
+    options.value("up", 0, "X,Y,Z",
+                  "the direction that is up (default 0,1,0, or 0,0,1 along the line of sight)",
                   into(up_, "--up", read_point));
     options.value("fov", 0, "DEGREES", "vertical field of view (default 30)",
                   into(field_of_view_, "--fov", read_number));
@@ -148,8 +149,11 @@ ImageFormat RenderSettings::format_of(const std::string& file) const {
 
 Camera RenderSettings::camera(const Ball& framed) const {
     const Camera automatic = render::framing_camera(framed, options_.size, field_of_view_);
-    const Viewpoint viewpoint{origin_.value_or(automatic.origin()), look_at_.value_or(framed.center),
-                              up_.value_or(glm::dvec3(0, 1, 0))};
+    const glm::dvec3 origin = origin_.value_or(automatic.origin());
+    const glm::dvec3 look_at = look_at_.value_or(framed.center);
+    const bool is_vertical = origin.x == look_at.x && origin.z == look_at.z;
+    const Viewpoint viewpoint{origin, look_at,
+                              up_.value_or(is_vertical ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0))};
     return orthographic_height_ ? Camera::orthographic(viewpoint, *orthographic_height_)
                                 : Camera::perspective(viewpoint, field_of_view_);
 }

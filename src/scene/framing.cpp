@@ -6,14 +6,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <vector>
 
 namespace eliminant::scene {
 namespace {
 
-/// The farthest point from the origin where rays along the axes, `count` × `count` for each axis, enter or
-/// leave the surface within the ball; 0 without hits.
-double farthest_hit(const Surface& surface, double radius, int count, base::Run& run) {
+/// How far from the centre rays along the axes, `count` × `count` for each axis, enter or leave the surface
+/// within the ball at the farthest; 0 without hits.
+double farthest_hit(const Surface& surface, const Ball& ball, int count, base::Run& run) {
+    const double radius = ball.radius;
     double farthest = 0.0;
     for (int axis = 0; axis < 3; ++axis)
         for (int i = 0; i < count; ++i)
@@ -28,14 +31,102 @@ double farthest_hit(const Surface& surface, double radius, int count, base::Run&
                     glm::dvec3 direction(0.0);
                     direction[axis] = sense;
                     const double reach = std::sqrt(squared);
-                    const Hit hit = surface.first_hit({origin, direction}, {-reach, reach}, run);
+                    const Hit hit =
+                        surface.first_hit({ball.center + origin, direction}, {-reach, reach}, run);
                     if (hit) farthest = std::max(farthest, glm::length(origin + hit.t * direction));
                 }
             }
     return farthest;
 }
 
+using Form = std::map<std::array<std::uint64_t, 3>, double>; ///< coefficients by exponents
+
+Form part_of_degree(const algebra::Polynomial& f, std::uint64_t degree) {
+    Form form;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        std::array<std::uint64_t, 3> e{};
+        for (std::size_t v = 0; v < f.ring().variable_count(); ++v) e.at(v) = f.exponent(i, v);
+        if (e[0] + e[1] + e[2] == degree) form[e] = f.integer_terms().coefficients[i].to_double();
+    }
+    return form;
+}
+
+Form derivative(const Form& form, std::size_t variable) {
+    Form result;
+    for (const auto& [e, c] : form) {
+        if (e.at(variable) == 0) continue;
+        std::array<std::uint64_t, 3> lower = e;
+        --lower.at(variable);
+        result[lower] = c * static_cast<double>(e.at(variable));
+    }
+    return result;
+}
+
+/// Bombieri's inner product, Σ a_e·b_e·e!/n!, which rotations leave as it is.
+double product(const Form& a, const Form& b) {
+    double sum = 0.0;
+    for (const auto& [e, c] : a) {
+        const auto other = b.find(e);
+        if (other == b.end()) continue;
+        const auto log_factorial = [](std::uint64_t k) { return std::lgamma(static_cast<double>(k) + 1.0); };
+        sum += c * other->second *
+               std::exp(log_factorial(e[0]) + log_factorial(e[1]) + log_factorial(e[2]) -
+                        log_factorial(e[0] + e[1] + e[2]));
+    }
+    return sum;
+}
+
+/// The coordinates x[i] with G·x = b that G, symmetric and not negative, tells; they become known.
+void solve(std::array<std::array<double, 3>, 3> G, std::array<double, 3> b, glm::dvec3& x,
+           std::array<bool, 3>& known) {
+    std::array<bool, 3> used{};
+    const double scale = std::max({G[0][0], G[1][1], G[2][2]});
+    for (std::size_t step = 0; step < 3; ++step) {
+        std::size_t p = 3;
+        for (std::size_t i = 0; i < 3; ++i)
+            if (!used.at(i) && !known.at(i) && (p == 3 || G[i][i] > G[p][p])) p = i;
+        if (p == 3 || !(G[p][p] > 1e-12 * scale)) break;
+        used.at(p) = true;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (i == p) continue;
+            const double factor = G[i][p] / G[p][p];
+            for (std::size_t k = 0; k < 3; ++k) G[i][k] -= factor * G[p][k];
+            b.at(i) -= factor * b[p];
+        }
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!used.at(i)) continue;
+        x[static_cast<int>(i)] = b.at(i) / G[i][i];
+        known.at(i) = true;
+    }
+}
+
 } // namespace
+
+glm::dvec3 center_of(const algebra::Polynomial& f) {
+    glm::dvec3 center(0.0);
+    std::array<bool, 3> known{};
+    // Coordinates that the highest part does not contain are told by lower ones.
+    for (std::int64_t degree = f.total_degree(); degree > 0; --degree) {
+        const Form top = part_of_degree(f, static_cast<std::uint64_t>(degree));
+        if (top.empty()) continue;
+        const Form next = part_of_degree(f, static_cast<std::uint64_t>(degree - 1));
+        std::array<Form, 3> gradient;
+        for (std::size_t i = 0; i < 3; ++i)
+            if (!known.at(i)) gradient.at(i) = derivative(top, i);
+        std::array<std::array<double, 3>, 3> G{};
+        std::array<double, 3> b{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t j = 0; j < 3; ++j) G.at(i).at(j) = product(gradient.at(i), gradient.at(j));
+            b.at(i) = -product(next, gradient.at(i));
+        }
+        solve(G, b, center, known);
+        if (known[0] && known[1] && known[2]) break;
+    }
+    constexpr double negligible = 0x1p-20; // rounding
+    const double distance = glm::length(center);
+    return std::isfinite(distance) && distance > negligible ? center : glm::dvec3(0.0);
+}
 
 double asymptotic_radius(const algebra::Polynomial& f) {
     constexpr int directions = 60;
@@ -73,18 +164,18 @@ double asymptotic_radius(const algebra::Polynomial& f) {
     return told ? radius : 1.0;
 }
 
-Ball frame(const Surface& surface, double radius_if_unbounded, base::Run& run) {
+Ball frame(const Surface& surface, const glm::dvec3& center, double radius_if_unbounded, base::Run& run) {
     constexpr double least = 0x1p-6;
     constexpr double largest = 0x1p8;
-    const glm::dvec3 origin(0.0);
     // From the largest ball down to the first that has hits not only near its middle.
     for (double radius = largest; radius >= least; radius *= 0.5) {
-        const double farthest = farthest_hit(surface, radius, 5, run);
+        const double farthest = farthest_hit(surface, {center, radius}, 5, run);
         if (farthest <= 0.3 * radius) continue;
         if (radius == largest) break;
-        return {origin, 1.1 * std::max(farthest, farthest_hit(surface, 1.5 * radius, 16, run))};
+        const double closer = farthest_hit(surface, {center, 1.5 * radius}, 16, run);
+        return {center, 1.1 * std::max(farthest, closer)};
     }
-    return {origin, radius_if_unbounded};
+    return {center, radius_if_unbounded};
 }
 
 } // namespace eliminant::scene

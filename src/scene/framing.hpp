@@ -4,6 +4,8 @@
 
 #include "eliminant/algebra/polynomial.hpp"
 
+#include <glm/vec3.hpp>
+
 namespace eliminant::scene {
 
 /// Where the part of the highest degree outweighs all others together, in mean squares over the sphere:
@@ -11,9 +13,15 @@ namespace eliminant::scene {
 /// cannot be told.
 double asymptotic_radius(const algebra::Polynomial& f);
 
-/// A ball about the origin that shows a surface: if it seems bounded, because a bundle of rays meets it in
+/// The point about which the part of f of second highest degree is smallest, in Bombieri's norm: where the
+/// surface is in the middle of its asymptotes, as the centre of a quadric. It moves and turns with the
+/// surface. Coordinates on which that part does not depend are told by lower parts, or are 0; the origin if
+/// the difference is rounding.
+glm::dvec3 center_of(const algebra::Polynomial& f);
+
+/// A ball about a centre that shows a surface: if it seems bounded, because a bundle of rays meets it in
 /// some ball but not in the next ones of twice the size, one that holds all hits of a finer bundle; else the
 /// ball of the radius given.
-Ball frame(const Surface& surface, double radius_if_unbounded, base::Run& run);
+Ball frame(const Surface& surface, const glm::dvec3& center, double radius_if_unbounded, base::Run& run);
 
 } // namespace eliminant::scene

@@ -347,15 +347,18 @@ TEST(Render, ALimitLeavesNoFile) {
 
 TEST(Render, DegenerateSurfacesAreDrawn) {
     const ScratchDirectory scratch;
-    const auto depths = [&](const std::string& polynomial) {
+    const auto depths = [&](const std::string& polynomial, const std::string& warning = "") {
         std::vector<std::string> arguments = ball({"--depth", scratch.path("depths")});
         arguments[1] = polynomial;
-        expect_quiet_success(run(arguments));
+        const ProcessResult result = run(arguments);
+        EXPECT_EQ(result.status, 0) << polynomial;
+        EXPECT_EQ(result.errors, warning.empty() ? "" : "eliminant: warning: " + warning + "\n");
         return depths_of(scratch.read("depths"));
     };
-    for (const double depth : depths("1")) EXPECT_EQ(depth, infinity); // nowhere
-    for (const double depth : depths("x^2+y^2+z^2+1")) EXPECT_EQ(depth, infinity);
-    EXPECT_NEAR(depths("0")[15 * 40 + 20], 3, 0.01);   // everywhere: where the clip region begins
+    for (const char* nowhere : {"1", "x^2+y^2+z^2+1"})
+        for (const double depth : depths(nowhere, "no ray meets the surface")) EXPECT_EQ(depth, infinity);
+    // Everywhere: where the clip region begins.
+    EXPECT_NEAR(depths("0", "every point is on the surface of the zero polynomial")[15 * 40 + 20], 3, 0.01);
     EXPECT_NEAR(depths("z^2")[15 * 40 + 20], 5, 0.01); // a double plane is met by every ray
     EXPECT_EQ(depths("(x^2+y^2+z^2-1)^3"), depths("x^2+y^2+z^2-1"));
 }

@@ -4,6 +4,7 @@
 
 #include "eliminant/base/error.hpp"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -237,6 +238,19 @@ TEST(Surface, SingleRaysAndFramingCanBeStopped) {
     EXPECT_THROW(surface->all_hits(ray, {0, 10}, stopped), base::Stopped);
     EXPECT_THROW(surface->occluded(ray, {0, 10}, stopped), base::Stopped);
     EXPECT_THROW(surface->framing_ball(stopped), base::Stopped);
+}
+
+TEST(Surface, FramesWhatIsFarFromTheOrigin) {
+    base::Run run;
+    for (const auto& [f, center] : {std::pair{"(x-1000)^2+y^2+z^2-1", glm::dvec3(1000, 0, 0)},
+                                    {"(x-10)^2+(y+3)^2+z^4-1", glm::dvec3(10, -3, 0)},
+                                    {"x^2+2*(y-7)^2+(x+y-z)^2-5", glm::dvec3(0, 7, 7)}}) {
+        const Ball ball = surface_of(f)->framing_ball(run);
+        EXPECT_LT(glm::distance(ball.center, center), 1e-6) << f;
+        EXPECT_GT(ball.radius, 0.9) << f;
+        EXPECT_LT(ball.radius, 10) << f;
+    }
+    EXPECT_EQ(surface_of("x^4+y^4+z^4-x*y*z-1")->framing_ball(run).center, glm::dvec3(0.0));
 }
 
 TEST(GridTracer, Errors) {
