@@ -14,7 +14,7 @@ TEST(Example, DrawsASurfaceNextToTriangles) {
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.errors, "");
     const std::string header = "P6\n160 120\n255\n";
-    ASSERT_EQ(result.output.size(), header.size() + 160 * 120 * 3);
+    ASSERT_EQ(result.output.size(), header.size() + std::size_t{160} * 120 * 3);
     ASSERT_EQ(result.output.substr(0, header.size()), header);
     int sky = 0;
     int triangles = 0;
