@@ -200,7 +200,7 @@ Case random_case(unsigned long seed) {
         result.denominators.push_back(denominator);
         std::vector<mpz_class> numerators;
         for (const mpq_class& entry : entries)
-            numerators.push_back(entry.get_num() * (denominator / entry.get_den()));
+            numerators.emplace_back(entry.get_num() * (denominator / entry.get_den()));
         result.numerators.push_back(std::move(numerators));
     }
     return result;

@@ -92,8 +92,8 @@ TEST(Batch, ResultsComeInSequenceEachOrAnErrorOfItsOwn) {
         "spline[0]: y",
         "spline[1]: x-1",
         "cubic: x^3-y",
-        "weightless: test:21:1: expected weights that are not all 0 on any piece, found a piece where they "
-        "are",
+        std::string("weightless: test:21:1: expected weights that are not all 0 on any piece, ") +
+            "found a piece where they are",
     };
     for (const unsigned threads : {1U, 2U, 4U})
         EXPECT_EQ(implicitize_all(text, threads), expected) << threads;
@@ -172,8 +172,10 @@ TEST(Teapot, NeighboursShareTheirEdges) {
     for (const auto& [name, net] : teapot_nets(teapot_text())) {
         for (const auto& [first, step] : {std::pair(0, 1), {12, 1}, {0, 4}, {3, 4}}) {
             std::vector<Point> edge;
-            for (int k = 0; k < 4; ++k)
-                edge.push_back(net.points[static_cast<std::size_t>(first + k * step)]);
+            for (int k = 0; k < 4; ++k) {
+                const int index = first + k * step;
+                edge.push_back(net.points[static_cast<std::size_t>(index)]);
+            }
             if (std::set<Point>(edge.begin(), edge.end()).size() == 1) {
                 ++points;
                 continue;

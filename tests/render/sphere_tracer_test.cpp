@@ -55,7 +55,7 @@ TEST(SphereTracer, FindsTheFirstHitOfEveryRay) {
     const Spheres surface = hurdles();
     const scene::ClipRegion clip = ball_of(4);
     const auto exact = surface.tracer(rays_from_front(), clip, *std::make_unique<base::Run>());
-    std::vector<scene::Hit> expected(60 * 60);
+    std::vector<scene::Hit> expected(std::size_t{60} * 60);
     base::Run run;
     exact->trace({0, 0, 60, 60}, expected, run);
     for (const double over_relaxation : {1.0, 1.2, 1.6, 1.99})

@@ -78,8 +78,9 @@ class Spheres : public scene::Surface {
             : surface_(surface), rays_(rays), clip_(clip) {}
         void trace(const scene::Tile& tile, std::span<scene::Hit> hits, base::Run& run) const override {
             for (std::size_t i = 0; i < tile.size(); ++i) {
-                const scene::Ray ray = rays_.ray(static_cast<double>(tile.column + i % tile.width),
-                                                 static_cast<double>(tile.row + i / tile.width));
+                const std::size_t column = tile.column + i % tile.width;
+                const std::size_t row = tile.row + i / tile.width;
+                const scene::Ray ray = rays_.ray(static_cast<double>(column), static_cast<double>(row));
                 const scene::Interval inside = clip_.interval(ray);
                 hits[i] = inside.empty() ? scene::Hit{} : surface_.first_hit(ray, inside, run);
             }
