@@ -252,7 +252,8 @@ class ImplicitizeCommand : public Command {
     static void describe(const ImplicitResult& result, const std::string& prefix, Session& session) {
         Console& console = session.console();
         for (const std::string& warning : result.warnings) console.warning(prefix + warning);
-        for (const std::string& note : result.notes) console.detail(prefix + "note: " + note);
+        for (const std::string& note : result.notes)
+            console.detail(std::string(prefix).append("note: ").append(note));
         console.detail(std::string(prefix).append("method: ").append(to_string(result.method)));
         if (!result.choice.empty()) console.detail(prefix + result.choice);
         console.detail(std::string(prefix)
