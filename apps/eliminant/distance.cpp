@@ -73,9 +73,9 @@ class DistanceCommand : public Command {
             "                 surface is nearer\n"
             "Coordinates are exact: 1/3 and 0.1 mean these numbers. Estimates are correctly rounded, the "
             "bound\n"
-            "is rounded down. On the surface all are 0; 'inf' is an estimate where derivatives vanish, and "
-            "a\n"
-            "bound where there is no surface.\n"
+            "is rounded down. On the surface all are 0; 'inf' is an estimate where derivatives vanish or "
+            "that is\n"
+            "beyond 1.8e308, and a bound where there is no surface.\n"
             "\n" +
             std::string(surface_help) +
             "\n"
@@ -111,7 +111,10 @@ class DistanceCommand : public Command {
         for (std::size_t i = 0; i < levels.size(); ++i) {
             const std::string name(to_string(levels[i]));
             text += name + " " + digits(found[i].value) + "\n";
-            json[name] = found[i].value; // infinity is written as null
+            if (std::isinf(found[i].value)) // JSON has no number for it
+                json[name] = digits(found[i].value);
+            else
+                json[name] = found[i].value;
         }
         const int sign = found.front().sign;
         json["sign"] = sign;

@@ -85,12 +85,14 @@ bool has_extension(std::string_view name) {
                        [](unsigned char c) { return std::isalnum(c) != 0; });
 }
 
-/// Whether a slash leads to a name: `dir/name`, `/name`, but neither `x/2` nor `1/(2)`.
+/// Whether a slash leads to a name: `dir/name`, `/name`, but neither `x/2` nor `1/(2)`, nor `x/y`, a quotient
+/// of single letters.
 bool is_path(std::string_view argument) {
     if (argument.starts_with("./") || argument.starts_with("../")) return true;
     const std::size_t slash = argument.find('/');
-    return slash != std::string_view::npos && slash + 1 < argument.size() &&
-           std::isalpha(static_cast<unsigned char>(argument[slash + 1])) != 0;
+    if (slash == std::string_view::npos || slash + 1 == argument.size()) return false;
+    return std::isalpha(static_cast<unsigned char>(argument[slash + 1])) != 0 &&
+           (slash != 1 || argument.size() > 3);
 }
 
 } // namespace

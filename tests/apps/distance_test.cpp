@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -66,12 +67,39 @@ TEST(Distance, ReadsEveryKindOfSurface) {
 
 TEST(Distance, WritesJson) {
     const Json json = Json::parse(run({"distance", "x^2+1", "--at", "0,0,0", "--format", "json"}).output);
-    EXPECT_TRUE(json["first_order"].is_null()); // infinite
+    EXPECT_EQ(json["first_order"], "inf"); // JSON has no such number
     EXPECT_EQ(json["second_order"], 1.0);
     EXPECT_EQ(json["sign"], 1);
 }
 
+TEST(Distance, AnswersAtPointsThatNoDoubleHolds) {
+    const auto all_at = [](const std::string& at) {
+        std::istringstream lines(run({"distance", "x^2+y^2+z^2-1", "--at", at}).output);
+        std::string name;
+        std::array<std::string, 4> values;
+        for (std::string& value : values) lines >> name >> value;
+        return values;
+    };
+    EXPECT_EQ(all_at("1e-320,0,0")[3], "-1");
+    EXPECT_EQ(all_at("1e-320,0,0")[1], "1");
+    for (const char* far : {"1e308,0,0", "1e400,-1,0"}) {
+        const double bound = std::stod(all_at(far)[2]);
+        EXPECT_GT(bound, 9.99e307) << far;
+        EXPECT_TRUE(std::isfinite(bound)) << far;
+    }
+    EXPECT_EQ(all_at("1e308,0,0")[0], "5.0000000000000001e+307");
+    EXPECT_EQ(all_at("1e400,0,0")[0], "inf"); // 5e399
+    const std::string third = std::string(3000, '3') + "/" + std::string(3000, '9');
+    EXPECT_EQ(all_at(third + ",0,0")[1],
+              run({"distance", "x^2+y^2+z^2-1", "--at", "1/3,0,0", "--level", "second"})
+                  .output.substr(13, all_at(third + ",0,0")[1].size()));
+    for (const char* no_number : {"nan,0,0", "inf,0,0", "-inf,0,0"})
+        expect_error_with(run({"distance", "x", "--at", no_number}), 2, "expected a number");
+    expect_error_with(run({"distance", "x", "--at", "1e99999999,0,0"}), 2, "decimal exponent");
+}
+
 TEST(Distance, SaysWhatIsWrong) {
+    expect_error_with(run({"distance", "x/y", "--at", "1,2,3"}), 2, "divided by constants only, found 'y'");
     expect_error(run({"distance", "x"}), 2, "expected a point, as --at '1,2/3,0.5', found none");
     expect_error(run({"distance", "x*r", "--at", "1,2,3"}), 2,
                  "--set: expected a value for the constant 'r' of the surface, as --set r=2, found none");
