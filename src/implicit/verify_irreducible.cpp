@@ -82,7 +82,7 @@ namespace {
 class Sections {
   public:
     Sections(const Polynomial& f, std::size_t coordinates, const PrimeField& field)
-        : field_(field), degree_(degree_in_coordinates(f, coordinates)), values_(f, field) {}
+        : field_(field), degree_(degree_in_coordinates(f, coordinates)), tree_(f), values_(tree_, f, field) {}
 
     Vector on(const SectionClaim& line, base::Run& run) {
         constexpr std::size_t lanes = ValuesModulo::lanes;
@@ -110,6 +110,7 @@ class Sections {
   private:
     PrimeField field_;
     std::uint64_t degree_;
+    ExponentTree tree_;
     ValuesModulo values_;
 };
 
@@ -151,7 +152,7 @@ std::optional<SectionClaim> irreducible_section(const Polynomial& f, std::size_t
 
 bool holds(const Polynomial& f, std::size_t coordinates, const SectionClaim& claim, base::Run& run) {
     const std::size_t n = f.ring().variable_count();
-    if (claim.prime >= prime_bound || !algebra::is_prime(claim.prime)) return false;
+    if (claim.prime >= prime_bound || claim.prime == 2 || !algebra::is_prime(claim.prime)) return false;
     if (claim.base.size() != n || claim.direction.size() != n) return false;
     const auto too_large = [&](Element value) { return value >= claim.prime; };
     if (std::ranges::any_of(claim.base, too_large) || std::ranges::any_of(claim.direction, too_large))

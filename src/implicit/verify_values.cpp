@@ -10,89 +10,109 @@ using algebra::PrimeField;
 
 namespace {
 
-std::vector<std::size_t> by_ascending_degree(const Polynomial& f) {
+/// What is fixed comes last; the rest by ascending degree, so that few nodes have many children.
+std::vector<std::size_t> sequence_of_variables(const Polynomial& f, const std::vector<bool>& fixed) {
     std::vector<std::size_t> variables(f.ring().variable_count());
     std::iota(variables.begin(), variables.end(), std::size_t{0});
     std::ranges::stable_sort(variables, {}, [&](std::size_t i) { return f.degree(i); });
+    std::ranges::stable_partition(variables, [&](std::size_t i) { return fixed.empty() || !fixed[i]; });
     return variables;
 }
 
-/// Terms in decreasing lexicographic order, the variables being compared in the given sequence.
-std::vector<std::size_t> lexicographic(const Polynomial& f, const std::vector<std::size_t>& variables) {
-    std::vector<std::size_t> terms(f.size());
-    std::iota(terms.begin(), terms.end(), std::size_t{0});
-    std::ranges::sort(terms, [&](std::size_t a, std::size_t b) {
-        for (const std::size_t i : variables)
-            if (f.exponent(a, i) != f.exponent(b, i)) return f.exponent(a, i) > f.exponent(b, i);
-        return false;
-    });
-    return terms;
-}
+/// The exponents of all terms, row by row, the variables in the given sequence.
+class Rows {
+  public:
+    Rows(const Polynomial& f, const std::vector<std::size_t>& variables) : width_(variables.size()) {
+        exponents_.reserve(f.size() * width_);
+        for (std::size_t term = 0; term < f.size(); ++term)
+            for (const std::size_t i : variables)
+                exponents_.push_back(static_cast<std::uint32_t>(f.exponent(term, i)));
+    }
+    std::span<const std::uint32_t> operator[](std::size_t term) const {
+        return std::span(exponents_).subspan(term * width_, width_);
+    }
 
-/// The first level at which exponents differ.
-std::size_t difference(const Polynomial& f, const std::vector<std::size_t>& variables, std::size_t a,
-                       std::size_t b) {
-    std::size_t level = 0;
-    while (f.exponent(a, variables[level]) == f.exponent(b, variables[level])) ++level;
-    return level;
-}
+  private:
+    std::size_t width_;
+    std::vector<std::uint32_t> exponents_;
+};
 
 } // namespace
 
-ValuesModulo::ValuesModulo(const Polynomial& f, const PrimeField& field)
-    : field_(field), order_(by_ascending_degree(f)), levels_(order_.size() + 1), degrees_(order_.size(), 0) {
-    const std::size_t n = degrees_.size();
-    const std::vector<std::size_t> terms = lexicographic(f, order_);
-    levels_[0].exponents = {0};
-    for (std::size_t i = 0; i < terms.size(); ++i) {
+ExponentTree::ExponentTree(const Polynomial& f, const std::vector<bool>& fixed)
+    : order_(sequence_of_variables(f, fixed)),
+      cut_(order_.size() - static_cast<std::size_t>(std::ranges::count(fixed, true))), terms_(f.size()),
+      exponents_(order_.size() + 1), first_child_(order_.size()), degrees_(order_.size(), 0) {
+    const Rows rows(f, order_);
+    std::iota(terms_.begin(), terms_.end(), std::size_t{0});
+    std::ranges::sort(terms_, [&](std::size_t a, std::size_t b) {
+        return std::ranges::lexicographical_compare(rows[b], rows[a]);
+    });
+    exponents_[0] = {0};
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
         // A term opens new nodes from the level on where it differs from the one before.
-        const std::size_t common = i == 0 ? 0 : difference(f, order_, terms[i - 1], terms[i]);
-        for (std::size_t level = common; level < n; ++level) {
-            const auto exponent = static_cast<std::uint32_t>(f.exponent(terms[i], order_[level]));
-            degrees_[level] = std::max(degrees_[level], exponent);
-            levels_[level + 1].exponents.push_back(exponent);
-            levels_[level].first_child.resize(levels_[level].exponents.size(),
-                                              levels_[level + 1].exponents.size() - 1);
+        const std::span<const std::uint32_t> row = rows[terms_[i]];
+        std::size_t level = 0;
+        if (i > 0)
+            while (row[level] == rows[terms_[i - 1]][level]) ++level;
+        for (; level < depth(); ++level) {
+            degrees_[level] = std::max(degrees_[level], row[level]);
+            exponents_[level + 1].push_back(row[level]);
+            first_child_[level].resize(node_count(level),
+                                       static_cast<std::uint32_t>(node_count(level + 1) - 1));
         }
-        coefficients_.push_back(
-            field.from_fraction(f.integer_terms().coefficients[terms[i]], f.denominator()));
     }
-    for (std::size_t level = 0; level < n; ++level)
-        levels_[level].first_child.resize(levels_[level].exponents.size() + 1,
-                                          levels_[level + 1].exponents.size());
+    for (std::size_t level = 0; level < depth(); ++level)
+        first_child_[level].resize(node_count(level) + 1, static_cast<std::uint32_t>(node_count(level + 1)));
+}
+
+std::vector<PrimeField::Element> ExponentTree::leaves(const Polynomial& f, const PrimeField& field) const {
+    std::vector<PrimeField::Element> leaves(terms_.size());
+    const PrimeField::Element scale = field.from_fraction(1, f.denominator());
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+        leaves[i] = field.multiply(scale, field.from_integer(f.integer_terms().coefficients[terms_[i]]));
+    return leaves;
+}
+
+ValuesModulo::ValuesModulo(const ExponentTree& tree, const Polynomial& f, const PrimeField& field)
+    : tree_(&tree), modulus_(field.characteristic()), leaves_(tree.leaves(f, field)) {}
+
+/// From values of the nodes at a level to those of the level above it; leaves have theirs in all lanes.
+void ValuesModulo::climb_from(std::size_t level, const std::vector<Lanes>& values, std::vector<Lanes>& sums,
+                              std::span<const Lanes> points) {
+    const std::size_t above = level - 1;
+    const std::size_t power_count = tree_->degree(above) + std::size_t{1};
+    powers_.resize(power_count * lanes);
+    loops_.powers(powers_.data(), points[tree_->variable(above)].data(), power_count, modulus_);
+    sums.resize(tree_->node_count(above));
+    const TreeEdges edges = tree_->edges(above);
+    if (level == tree_->depth())
+        loops_.sums_of_leaves(sums.front().data(), edges, powers_.data(), leaves_.data(), modulus_);
+    else
+        loops_.sums(sums.front().data(), edges, powers_.data(), values.front().data(), modulus_);
+}
+
+void ValuesModulo::fix(std::span<const Lanes> points) {
+    if (leaves_.empty()) return;
+    for (std::size_t level = tree_->depth(); level > tree_->cut(); --level) {
+        climb_from(level, fixed_values_, sums_, points);
+        std::swap(fixed_values_, sums_);
+    }
 }
 
 ValuesModulo::Lanes ValuesModulo::operator()(std::span<const Lanes> points) {
-    values_.resize(coefficients_.size());
-    for (std::size_t i = 0; i < coefficients_.size(); ++i) values_[i].fill(coefficients_[i]);
-    for (std::size_t level = degrees_.size(); level-- > 0;) {
-        powers_.resize(degrees_[level] + std::size_t{1});
-        powers_[0].fill(1);
-        for (std::size_t e = 1; e < powers_.size(); ++e)
-            for (std::size_t lane = 0; lane < lanes; ++lane)
-                powers_[e][lane] = field_.multiply(powers_[e - 1][lane], points[order_[level]][lane]);
-        sum_children(levels_[level], levels_[level + 1], powers_, values_, sums_);
+    Lanes constant{};
+    if (leaves_.empty()) return constant;
+    if (tree_->cut() == 0) {
+        constant.fill(leaves_.front());
+        return tree_->depth() == 0 ? constant : fixed_values_.front();
+    }
+    climb_from(tree_->cut(), fixed_values_, values_, points);
+    for (std::size_t level = tree_->cut() - 1; level > 0; --level) {
+        climb_from(level, values_, sums_, points);
         std::swap(values_, sums_);
     }
-    return values_.empty() ? Lanes{} : values_.front();
-}
-
-void ValuesModulo::sum_children(const Level& parents, const Level& children, const std::vector<Lanes>& powers,
-                                const std::vector<Lanes>& values, std::vector<Lanes>& sums) const {
-    constexpr std::size_t summands = 15; // products below 2^60, and a residue, in 64 bits
-    sums.resize(parents.exponents.size());
-    for (std::size_t node = 0; node < sums.size(); ++node) {
-        std::array<std::uint64_t, lanes> sum = {};
-        const std::size_t last = parents.first_child[node + 1];
-        for (std::size_t child = parents.first_child[node]; child < last;) {
-            const std::size_t stop = std::min(last, child + summands);
-            sum_(sum.data(), powers.front().data(), &children.exponents[child], values[child].data(),
-                 stop - child);
-            child = stop;
-            for (std::uint64_t& s : sum) s = field_.reduce(s);
-        }
-        for (std::size_t lane = 0; lane < lanes; ++lane) sums[node][lane] = static_cast<Element>(sum[lane]);
-    }
+    return values_.front();
 }
 
 } // namespace eliminant::implicit

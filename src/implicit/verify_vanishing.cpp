@@ -1,11 +1,9 @@
 #include "implicit/verify_vanishing.hpp"
 
 #include "base/parallel.hpp"
-#include "implicit/verify_map_modulo.hpp"
-#include "implicit/verify_values.hpp"
+#include "implicit/verify_grid.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace eliminant::implicit {
 
@@ -85,61 +83,6 @@ std::vector<std::uint64_t> primes_above(const RationalMap& map, const mpz_class&
     return primes;
 }
 
-/// The points (start + e₁, start + e₂, …) for e in the set L of the bounds, a line of them at a time.
-class Grid {
-  public:
-    Grid(const RationalMap& map, const Polynomial& f, const VanishingClaim& bounds, const PrimeField& field,
-         base::Run& run)
-        : map_(map, field), values_(f, field), bounds_(bounds), run_(run),
-          inner_(static_cast<std::size_t>(std::ranges::max_element(bounds.degrees) - bounds.degrees.begin())),
-          point_(bounds.degrees.size(), 0), coordinates_(map.components.size()) {}
-
-    /// Whether f is zero at all points; nullopt where the map is not defined at one.
-    std::optional<bool> is_zero(std::uint32_t start) {
-        start_ = start;
-        return is_zero_from(0, bounds_.total_degree);
-    }
-
-  private:
-    std::optional<bool> is_zero_from(std::size_t variable, std::uint64_t rest) {
-        if (variable == point_.size())
-            return is_zero_on_line(point_.empty() ? 0 : std::min(rest, bounds_.degrees[inner_]));
-        if (variable == inner_) return is_zero_from(variable + 1, rest);
-        for (std::uint64_t e = 0; e <= std::min(rest, bounds_.degrees[variable]); ++e) {
-            point_[variable] = start_ + static_cast<std::uint32_t>(e);
-            const std::optional<bool> zero = is_zero_from(variable + 1, rest - e);
-            if (!zero || !*zero) return zero;
-        }
-        return true;
-    }
-
-    std::optional<bool> is_zero_on_line(std::uint64_t degree) {
-        constexpr std::size_t lanes = ValuesModulo::lanes;
-        run_.poll();
-        const MapModulo::Line line = map_.restricted(point_, inner_);
-        for (std::uint64_t first = 0; first <= degree; first += lanes) {
-            for (std::size_t lane = 0; lane < lanes; ++lane) { // the last lanes may repeat a point
-                const std::uint64_t e = std::min(first + lane, degree);
-                const auto image = map_.image(line, start_ + static_cast<std::uint32_t>(e));
-                if (!image) return std::nullopt;
-                for (std::size_t i = 0; i < coordinates_.size(); ++i) coordinates_[i][lane] = (*image)[i];
-            }
-            for (const std::uint32_t value : values_(coordinates_))
-                if (value != 0) return false;
-        }
-        return true;
-    }
-
-    MapModulo map_;
-    ValuesModulo values_;
-    const VanishingClaim& bounds_;
-    base::Run& run_;
-    std::size_t inner_; ///< the variable that runs along a line
-    std::vector<std::uint32_t> point_;
-    std::vector<ValuesModulo::Lanes> coordinates_;
-    std::uint32_t start_ = 0;
-};
-
 } // namespace
 
 VanishingClaim vanishing_claim(const RationalMap& map, const Polynomial& f) {
@@ -161,19 +104,12 @@ VanishingClaim vanishing_claim(const RationalMap& map, const Polynomial& f) {
     return claim;
 }
 
-bool vanishes_modulo(const RationalMap& map, const Polynomial& f, const VanishingClaim& bounds,
-                     const PrimeField& field, base::Run& run) {
-    Grid grid(map, f, bounds, field, run);
-    // A denominator that is zero at a point of one grid is not so on most others: it has few zeros.
-    for (std::uint32_t start = 1000;;
-         start = static_cast<std::uint32_t>(start * std::uint64_t{48271} % 1000000007))
-        if (const std::optional<bool> zero = grid.is_zero(start)) return *zero;
-}
-
 bool vanishes(const RationalMap& map, const Polynomial& f, const VanishingClaim& claim, base::Run& run) {
+    const GridLines lines(map, f, claim.degrees);
     std::vector<char> zero(claim.primes.size(), 0);
     base::parallel_for(run, zero.size(), [&](std::size_t i, std::size_t) {
-        zero[i] = vanishes_modulo(map, f, claim, PrimeField(claim.primes[i]), run) ? 1 : 0;
+        Grid grid(lines, map, f, claim, PrimeField(claim.primes[i]), run);
+        zero[i] = grid.is_zero() ? 1 : 0;
     });
     return std::ranges::find(zero, 0) == zero.end();
 }

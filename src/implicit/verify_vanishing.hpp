@@ -2,7 +2,6 @@
 #pragma once
 
 #include "eliminant/algebra/polynomial.hpp"
-#include "eliminant/algebra/prime_field.hpp"
 #include "eliminant/base/run.hpp"
 #include "eliminant/implicit/certificate.hpp"
 #include "implicit/verify_map.hpp"
@@ -19,15 +18,7 @@ namespace eliminant::implicit {
 /// \param f in the ring of coordinates: variable i is component i; integer coefficients
 VanishingClaim vanishing_claim(const RationalMap& map, const algebra::Polynomial& f);
 
-/// Whether G is zero modulo p, one of the primes. Proved by values: a polynomial whose exponents lie in a set
-/// L with each e also all smaller exponent vectors is zero if it vanishes at the points (a_e₁, b_e₂, …) for e
-/// ∈ L, where the a, the b, … are distinct (by induction over the variables, the coefficients of the last one
-/// being polynomials with smaller sets; Lorentz, Multivariate Birkhoff Interpolation, 1992). L is given by
-/// the bounds. As many evaluations of f as L has elements.
-bool vanishes_modulo(const RationalMap& map, const algebra::Polynomial& f, const VanishingClaim& bounds,
-                     const algebra::PrimeField& field, base::Run& run);
-
-/// Whether G is zero modulo all primes of the claim, at the same time on several threads.
+/// Whether G is zero modulo all primes of the claim, at the same time on several threads; see Grid.
 bool vanishes(const RationalMap& map, const algebra::Polynomial& f, const VanishingClaim& claim,
               base::Run& run);
 

@@ -230,45 +230,78 @@ TEST(Verify, MalformedCertificatesAreErrors) {
 TEST(ValuesModulo, AgreeWithEvaluation) {
     base::Run run;
     const Ring ring(CoefficientField::rationals(), {"x", "y", "z"});
-    const PrimeField field(1073741789);
     std::mt19937_64 random(1);
-    for (const char* text : {"0", "7", "x", "z^5", "x^2*y^3+5*x^2*y+7", "x^9*z-3/7*y^2*z^4+x*y*z-11",
-                             "(x+y+z+1)^12", "(1+x)^40*(2-y)*(z+3)^3"}) {
-        const Polynomial f = parse_polynomial(ring, SourceText(text, "test"));
-        ValuesModulo values(f, field);
-        std::array<ValuesModulo::Lanes, 3> points{};
-        for (auto& coordinate : points)
-            for (auto& value : coordinate)
-                value = static_cast<std::uint32_t>(random() % field.characteristic());
-        const ValuesModulo::Lanes found = values(points);
-        for (std::size_t lane = 0; lane < ValuesModulo::lanes; ++lane) {
-            const std::array<std::uint32_t, 3> point = {points[0][lane], points[1][lane], points[2][lane]};
-            EXPECT_EQ(found[lane], evaluate(f, field, point, run)) << text;
+    for (const std::uint32_t p : {1073741789U, 1048573U, 3U}) {
+        const PrimeField field(p);
+        for (const char* text : {"0", "7", "x", "z^5", "x^2*y^3+5*x^2*y+7", "x^9*z-3/7*y^2*z^4+x*y*z-11",
+                                 "(x+y+z+1)^12", "(1+x)^40*(2-y)*(z+3)^3"}) {
+            const Polynomial f = parse_polynomial(ring, SourceText(text, "test"));
+            for (unsigned fixed = 0; fixed < 8; ++fixed) { // each set of variables
+                const ExponentTree tree(f, {(fixed & 1) != 0, (fixed & 2) != 0, (fixed & 4) != 0});
+                ValuesModulo values(tree, f, field);
+                std::array<ValuesModulo::Lanes, 3> points{};
+                for (auto& coordinate : points)
+                    for (auto& value : coordinate) value = static_cast<std::uint32_t>(random() % p);
+                values.fix(points);
+                for (int round = 0; round < 2; ++round) {
+                    for (std::size_t i = 0; i < 3; ++i)
+                        if ((fixed >> i & 1) == 0) points[i][0] = static_cast<std::uint32_t>(random() % p);
+                    const ValuesModulo::Lanes found = values(points);
+                    for (std::size_t lane = 0; lane < ValuesModulo::lanes; ++lane) {
+                        const std::array<std::uint32_t, 3> point = {points[0][lane], points[1][lane],
+                                                                    points[2][lane]};
+                        EXPECT_EQ(found[lane], evaluate(f, field, point, run)) << text << " " << p;
+                    }
+                }
+            }
         }
     }
 }
 
-TEST(ProductSums, EveryVectorUnitAgreesWithTheDefinition) {
+TEST(EvaluationLoops, EveryVectorUnitAgreesWithTheDefinition) {
+    constexpr std::size_t lanes = evaluation_lanes;
     std::mt19937_64 random(3);
-    const auto residues = [&](std::size_t count) {
-        std::vector<std::uint32_t> list(count);
-        for (auto& r : list) r = static_cast<std::uint32_t>(random() >> 34);
-        return list;
-    };
-    for (const base::VectorUnit unit : base::available_vector_units())
-        for (std::size_t count = 0; count <= 15; ++count) {
-            const std::vector<std::uint32_t> powers = residues(8 * 20);
-            const std::vector<std::uint32_t> values = residues(8 * count);
-            std::vector<std::uint32_t> exponents(count);
-            for (auto& e : exponents) e = static_cast<std::uint32_t>(random() % 20);
-            std::vector<std::uint64_t> sums(8, 5);
-            std::vector<std::uint64_t> expected = sums;
-            for (std::size_t i = 0; i < count; ++i)
-                for (std::size_t k = 0; k < 8; ++k)
-                    expected[k] += std::uint64_t{powers[8 * exponents[i] + k]} * values[8 * i + k];
-            product_sums(unit)(sums.data(), powers.data(), exponents.data(), values.data(), count);
-            EXPECT_EQ(sums, expected) << base::name(unit) << ", " << count;
+    for (const std::uint32_t p : {1073741789U, 65537U, 3U}) {
+        const PrimeField field(p);
+        const MontgomeryModulus modulus(p);
+        const auto residues = [&](std::size_t count) {
+            std::vector<std::uint32_t> list(count);
+            for (auto& r : list) r = p - 1 - static_cast<std::uint32_t>(random() % std::min(p, 100U));
+            return list;
+        };
+        // Nodes with 0, 1, …, 39 children: the greatest residues, so that sums are near their bound.
+        std::vector<std::uint32_t> first_child = {0};
+        for (std::uint32_t i = 0; i < 40; ++i) first_child.push_back(first_child.back() + i);
+        const std::size_t children = first_child.back();
+        std::vector<std::uint32_t> exponents(children);
+        for (auto& e : exponents) e = static_cast<std::uint32_t>(random() % 20);
+        const std::vector<std::uint32_t> x = residues(lanes);
+        const std::vector<std::uint32_t> values = residues(children * lanes);
+        const TreeEdges edges{first_child.data(), 40, exponents.data()};
+        for (const base::VectorUnit unit : base::available_vector_units()) {
+            const EvaluationLoops loops = evaluation_loops(unit);
+            std::vector<std::uint64_t> powers(20 * lanes);
+            loops.powers(powers.data(), x.data(), 20, modulus);
+            for (std::size_t i = 0; i < powers.size(); ++i)
+                ASSERT_EQ(powers[i], field.multiply(field.power(x[i % lanes], i / lanes),
+                                                    field.reduce(std::uint64_t{1} << 32)));
+            std::vector<std::uint32_t> sums(40 * lanes);
+            std::vector<std::uint32_t> of_leaves(40 * lanes);
+            loops.sums(sums.data(), edges, powers.data(), values.data(), modulus);
+            loops.sums_of_leaves(of_leaves.data(), edges, powers.data(), values.data(), modulus);
+            for (std::size_t i = 0; i < sums.size(); ++i) {
+                std::uint32_t sum = 0;
+                std::uint32_t sum_of_leaves = 0;
+                for (std::size_t j = first_child[i / lanes]; j < first_child[i / lanes + 1]; ++j) {
+                    const std::uint32_t power = field.power(x[i % lanes], exponents[j]);
+                    sum = field.add(sum, field.multiply(power, values[j * lanes + i % lanes]));
+                    sum_of_leaves = field.add(sum_of_leaves, field.multiply(power, values[j]));
+                }
+                ASSERT_EQ(sums[i], sum) << base::name(unit);
+                ASSERT_EQ(of_leaves[i], sum_of_leaves) << base::name(unit);
+            }
         }
+    }
 }
 
 TEST(IsIrreducible, AgreesWithProductsAndKnownCases) {
