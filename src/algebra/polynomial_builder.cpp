@@ -55,7 +55,7 @@ Polynomial PolynomialBuilder::build() {
     auto& terms = std::get<IntegerTerms>(terms_);
     Integer common(1);
     for (const Integer& d : denominators_) common = lcm(common, d);
-    if (!common.is_one()) {
+    if (!denominators_.empty()) { // not only where their lcm exceeds 1: one of them may be −1
         for (std::size_t i = 0; i < terms.size(); ++i) {
             Integer factor = common;
             factor.divide_exactly(denominators_[i]);

@@ -127,6 +127,18 @@ TEST(Parse, MultipliesOnlyANumberByWhatFollows) {
     EXPECT_EQ(reread("0.5x"), "1/2*x");
 }
 
+TEST(Parse, DividesByNegativeNumbers) {
+    EXPECT_EQ(reread("x/(-1)"), "-x");
+    EXPECT_EQ(reread("x+1/(-1)"), "x-1");
+    EXPECT_EQ(reread("(x+y)/(1-2)"), "-x-y");
+    EXPECT_EQ(reread("x/(-1)+y/2"), "-x+1/2*y");
+    EXPECT_EQ(reread("(x/(-1))^3+(-1)^(-1)"), "-x^3-1");
+    EXPECT_EQ(reread("x/(-2)+3/(-4)"), "-1/2*x-3/4");
+    EXPECT_EQ(reread("(-1)/(-1)*x-1/(-1)/(-1)"), "x-1");
+    const Ring ring(CoefficientField::prime(7), {"x"});
+    EXPECT_EQ(to_string(parse_polynomial(ring, "x/(-1)+1/(-2)")), "6*x+3");
+}
+
 TEST(Parse, NeverGuessesAProduct) {
     const Wrong cases[] = {
         {"x y", 1, 3, "an operator", "'y'"},
