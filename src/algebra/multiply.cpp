@@ -4,15 +4,24 @@
 #include "multiply_keys.hpp"
 #include "multiply_kronecker.hpp"
 #include "multiply_plan.hpp"
+#include "multiply_points.hpp"
 #include "multiply_sums.hpp"
 
 #include <algorithm>
 #include <concepts>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace eliminant::algebra {
 
 namespace {
+
+template <class Sums>
+constexpr bool is_modular = std::same_as<Sums, ResidueSums>;
+
+/// Products of terms below which evaluation is not worth a plan.
+constexpr std::size_t fewest_products = 1 << 14;
 
 /// One product once its spans, layout and accumulators are settled.
 template <class Sums>
@@ -26,8 +35,10 @@ class Product {
             base::Run& run)
         : sums_(sums), bits_(bits), options_(options), run_(run), decoder_(line), result_(line.target()) {}
 
+    /// nullopt if another method, which takes so many nanoseconds, is expected to be faster.
     template <class Key>
-    TermList<Element> compute(const KeyedTerms<Key, Operand>& a, const KeyedTerms<Key, Operand>& b) {
+    std::optional<TermList<Element>> compute(const KeyedTerms<Key, Operand>& a,
+                                             const KeyedTerms<Key, Operand>& b, double other_cost) {
         const auto emit = [this](const Key& key, Element&& value) {
             result_.monomials.resize(result_.monomials.size() + result_.layout->words());
             decode_key(decoder_, key,
@@ -45,14 +56,16 @@ class Product {
             if (options_.kernel == ProductKernel::window && choice.bits == 0) choice.bits = min_window_bits;
             if constexpr (std::same_as<Key, std::uint64_t>) {
                 const std::size_t slot_bits = sums_.slot_bits(bits_);
+                const double cost = kronecker_cost(a.keys[0], b.keys[0], a.size() + b.size(), slot_bits);
                 constexpr std::uint64_t forced_limit = 1 << 20; // exponents near 2^63 would need 2^63 slots
                 if ((options_.kernel == ProductKernel::kronecker && a.keys[0] + b.keys[0] < forced_limit) ||
                     (options_.kernel == ProductKernel::automatic &&
-                     kronecker_cost(a.keys[0], b.keys[0], a.size() + b.size(), slot_bits) < choice.cost)) {
+                     cost < std::min(choice.cost, other_cost))) {
                     multiply_by_kronecker(a, b, slot_bits, sums_, run_, emit);
                     return std::move(result_);
                 }
             }
+            if (other_cost < choice.cost) return std::nullopt;
             if (options_.window_bits != 0) choice.bits = options_.window_bits;
             if (choice.bits != 0) {
                 multiply_by_window(choice.swapped ? b : a, choice.swapped ? a : b, choice.bits, sums_, run_,
@@ -83,12 +96,31 @@ TermList<typename Sums::Element> product(const Ring& ring, const TermList<typena
     Product<Sums> engine(line, sums, bits, options, run);
     const OperandValues<Sums> values_a(a.coefficients);
     const OperandValues<Sums> values_b(b.coefficients);
+    const bool is_forced = options.kernel == ProductKernel::points;
+    std::optional<PointProduct> points;
+    if (is_forced || (options.kernel == ProductKernel::automatic && a.size() * b.size() >= fewest_products))
+        points = PointProduct::plan(line.target(), *a.layout, a.monomials, *b.layout, b.monomials);
+    const auto multiply_by_points = [&] {
+        if constexpr (is_modular<Sums>)
+            return points->multiply(a.coefficients, b.coefficients, bits, sums.field, run);
+        else
+            return points->multiply(a.coefficients, b.coefficients, bits, run);
+    };
+    if (is_forced && points) return multiply_by_points();
+    double points_cost = std::numeric_limits<double>::infinity();
+    if (points) {
+        if constexpr (is_modular<Sums>)
+            points_cost = points->cost(bits, sums.field);
+        else
+            points_cost = points->cost(bits);
+    }
     const auto compute = [&]<class Key>(std::type_identity<Key>) {
         const auto keyed = [&](const auto& terms, const auto& spans, const auto& values) {
             return KeyedTerms<Key, typename Sums::Operand>{
                 as_keys<Key>(line.encode(*terms.layout, terms.monomials, spans), line.words()), values};
         };
-        return engine.compute(keyed(a, spans_a, values_a), keyed(b, spans_b, values_b));
+        auto result = engine.compute(keyed(a, spans_a, values_a), keyed(b, spans_b, values_b), points_cost);
+        return result ? *std::move(result) : multiply_by_points();
     };
     if (line.words() == 1) return compute(std::type_identity<std::uint64_t>{});
     if (line.words() == 2) return compute(std::type_identity<base::UInt128>{});

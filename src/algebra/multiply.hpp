@@ -11,6 +11,7 @@ enum class ProductKernel {
     window,    ///< dense accumulation in a sliding window: nearly everything else
     kronecker, ///< one multiplication of huge integers: dense products of large polynomials; refused for
                ///< huge exponents, where the others step in
+    points,    ///< evaluation and interpolation: products that fill a simplex or box; refused as `kronecker`
 };
 
 /// Overrides of the cost model.

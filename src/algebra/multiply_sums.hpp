@@ -4,6 +4,8 @@
 #include "eliminant/algebra/prime_field.hpp"
 #include "eliminant/base/wide.hpp"
 
+#include "word_remainders.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <concepts>
@@ -46,12 +48,7 @@ struct ResidueSums {
     void add_value(Cell& sum, Element value) const { add(sum, value, 1); }
     /// Room for sums of so many bits, which are never negative.
     static std::size_t slot_bits(std::size_t bits) { return bits + 1; }
-    Element from_slot(base::Int128 sum) const {
-        const auto bits = static_cast<base::UInt128>(sum);
-        std::uint64_t rest = field.reduce(static_cast<std::uint64_t>(bits >> 64));
-        rest = field.reduce(rest << 32 | (static_cast<std::uint64_t>(bits) >> 32));
-        return field.reduce(rest << 32 | (static_cast<std::uint64_t>(bits) & 0xffffffff));
-    }
+    Element from_slot(base::Int128 sum) const { return reduced(static_cast<base::UInt128>(sum), field); }
     Operand negative(Element value) const { return field.negate(value); }
     /// The value; the cell is 0 afterwards.
     Element take(Cell& sum) const { return field.reduce(std::exchange(sum, 0)); }

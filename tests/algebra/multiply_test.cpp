@@ -40,6 +40,7 @@ void expect_every_kernel_agrees(const Polynomial& a, const Polynomial& b, std::u
     EXPECT_EQ(multiply(b, a, run), expected) << where();
     const ProductOptions forced[] = {{ProductKernel::heap},
                                      {ProductKernel::kronecker},
+                                     {ProductKernel::points},
                                      {ProductKernel::window, 7},
                                      {ProductKernel::window, 11},
                                      {ProductKernel::window, 0}};
