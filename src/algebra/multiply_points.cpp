@@ -209,8 +209,9 @@ std::optional<PointProduct> PointProduct::plan(const MonomialLayout& target, con
     if (!box) return std::nullopt;
     PointProduct product(*std::move(box));
     // Their numbers have 32 bits, and where they outnumber the products of terms by far those are faster.
-    const double products =
-        static_cast<double>(a.size() / layout_a.words()) * static_cast<double>(b.size() / layout_b.words());
+    const std::size_t terms_a = a.size() / layout_a.words();
+    const std::size_t terms_b = b.size() / layout_b.words();
+    const double products = static_cast<double>(terms_a) * static_cast<double>(terms_b);
     if (product.census_.points > std::min(1e9, products + 1024)) return std::nullopt;
     return product;
 }
