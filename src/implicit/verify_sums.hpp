@@ -26,6 +26,9 @@ struct MontgomeryModulus {
 /// that makes it divisible by 2^32 fit in 64 bits, and the quotient is below 4p.
 constexpr std::size_t products_in_a_sum = 11;
 
+/// Powers are made of those so many before: a product takes some twenty cycles, but does not wait for others.
+constexpr std::size_t power_stride = 4;
+
 /// The edges between two levels of a tree: a node has the children first_child[node] up to, not including,
 /// first_child[node + 1].
 struct TreeEdges {

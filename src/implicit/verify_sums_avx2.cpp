@@ -27,6 +27,10 @@ __m256i load_four(const std::uint64_t* from) {
     return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
 }
 
+void store_four(std::uint64_t* to, __m256i values) {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), values);
+}
+
 __m256i widened_four(const std::uint32_t* from) {
     return _mm256_cvtepu32_epi64(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)));
 }
@@ -58,9 +62,13 @@ void make_powers(std::uint64_t* powers, const std::uint32_t* x, std::size_t coun
     for (std::size_t half = 0; half < lanes; half += 4) {
         const __m256i factor = reduced(_mm256_mul_epu32(widened_four(x + half), square), c);
         __m256i power = _mm256_set1_epi64x(modulus.one);
-        for (std::size_t e = 0; e < count; ++e) {
-            _mm256_storeu_si256(reinterpret_cast<__m256i*>(powers + e * lanes + half), power);
+        for (std::size_t e = 0; e < power_stride; ++e) {
+            if (e < count) store_four(powers + e * lanes + half, power);
             power = reduced(_mm256_mul_epu32(power, factor), c);
+        }
+        for (std::size_t e = power_stride; e < count; ++e) {
+            const __m256i before = load_four(powers + (e - power_stride) * lanes + half);
+            store_four(powers + e * lanes + half, reduced(_mm256_mul_epu32(before, power), c));
         }
     }
 }

@@ -38,9 +38,13 @@ void make_powers(std::uint64_t* powers, const std::uint32_t* x, std::size_t coun
     const Constants c(modulus);
     const __m512i factor = reduced(_mm512_mul_epu32(widened(x), _mm512_set1_epi64(modulus.square_of_one)), c);
     __m512i power = _mm512_set1_epi64(modulus.one);
-    for (std::size_t e = 0; e < count; ++e) {
-        _mm512_storeu_si512(powers + e * lanes, power);
+    for (std::size_t e = 0; e < power_stride; ++e) {
+        if (e < count) _mm512_storeu_si512(powers + e * lanes, power);
         power = reduced(_mm512_mul_epu32(power, factor), c);
+    }
+    for (std::size_t e = power_stride; e < count; ++e) {
+        const __m512i before = _mm512_loadu_si512(powers + (e - power_stride) * lanes);
+        _mm512_storeu_si512(powers + e * lanes, reduced(_mm512_mul_epu32(before, power), c));
     }
 }
 
