@@ -1,5 +1,7 @@
 #include "implicit/roots_modulo.hpp"
 
+#include "algebra/residue_classes.hpp"
+
 namespace eliminant::implicit {
 
 namespace dense = algebra::dense;
@@ -8,19 +10,6 @@ using dense::Element;
 using dense::Vector;
 
 namespace {
-
-/// base^exponent modulo f.
-Vector power_modulo(const PrimeField& field, const Vector& base, std::uint64_t exponent, const Vector& f) {
-    Vector result = {1};
-    for (unsigned bit = 64U - static_cast<unsigned>(__builtin_clzll(exponent)); bit-- > 0;) {
-        result = dense::multiply(field, result, result);
-        dense::divide(field, result, f);
-        if ((exponent >> bit & 1) == 0) continue;
-        result = dense::multiply(field, result, base);
-        dense::divide(field, result, f);
-    }
-    return result;
-}
 
 void subtract_constant(const PrimeField& field, Vector& f, std::size_t power) {
     if (f.size() <= power) f.resize(power + 1, 0);
@@ -37,10 +26,11 @@ void split(const PrimeField& field, const Vector& f, algebra::Random& random, ba
            std::vector<Element>& found) {
     if (f.size() == 2) found.push_back(root_of_linear(field, f));
     if (f.size() <= 2) return;
+    dense::ResidueClasses classes(field, f);
     for (;;) {
         run.poll();
-        const Vector shifted = {random.below(field.characteristic()), 1};
-        Vector half = power_modulo(field, shifted, (field.characteristic() - 1) / 2, f);
+        Vector half =
+            classes.power_of_linear(random.below(field.characteristic()), (field.characteristic() - 1) / 2);
         subtract_constant(field, half, 0);
         const Vector part = dense::gcd(field, f, half, run);
         if (part.size() < 2 || part.size() == f.size()) continue;
@@ -58,7 +48,8 @@ std::vector<Element> roots(const PrimeField& field, Vector f, algebra::Random& r
     std::vector<Element> found;
     if (f.size() == 2) return {root_of_linear(field, f)};
     if (f.size() < 2) return found;
-    Vector frobenius = power_modulo(field, {0, 1}, field.characteristic(), f);
+    dense::make_monic(field, f);
+    Vector frobenius = dense::ResidueClasses(field, f).power_of_linear(0, field.characteristic());
     subtract_constant(field, frobenius, 1);
     Vector linear = dense::gcd(field, std::move(f), std::move(frobenius), run);
     split(field, linear, random, run, found);

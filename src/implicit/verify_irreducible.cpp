@@ -1,6 +1,7 @@
 #include "implicit/verify_irreducible.hpp"
 
 #include "algebra/random.hpp"
+#include "algebra/residue_classes.hpp"
 #include "algebra/univariate_mod_p.hpp"
 #include "implicit/verify_values.hpp"
 
@@ -18,51 +19,6 @@ using dense::Vector;
 namespace {
 
 constexpr std::uint64_t prime_bound = std::uint64_t{1} << 20;
-
-/// Residue classes modulo a monic polynomial f over GF(p), p below 2^20: sums of products, of less than 2^40
-/// each, fit in 64 bits for every degree below 2^23.
-class ResidueClasses {
-  public:
-    ResidueClasses(const PrimeField& field, const Vector& f) : field_(field), f_(f), sums_(2 * f.size()) {}
-
-    Vector power(const Vector& a, std::uint64_t exponent) {
-        Vector result = a;
-        unsigned bit = 63U - static_cast<unsigned>(__builtin_clzll(exponent));
-        while (bit-- > 0) {
-            result = product(result, result);
-            if ((exponent >> bit & 1) != 0) result = product(result, a);
-        }
-        return result;
-    }
-
-  private:
-    Vector product(const Vector& a, const Vector& b) {
-        if (a.empty() || b.empty()) return {};
-        const std::size_t size = a.size() + b.size() - 1;
-        std::fill_n(sums_.begin(), size, 0);
-        for (std::size_t i = 0; i < a.size(); ++i) {
-            const std::uint64_t factor = a[i];
-            for (std::size_t j = 0; j < b.size(); ++j) sums_[i + j] += factor * b[j];
-        }
-        return remainder(size);
-    }
-
-    Vector remainder(std::size_t size) {
-        const std::size_t degree = f_.size() - 1;
-        for (std::size_t i = size; i-- > degree;) {
-            const std::uint64_t factor = field_.negate(field_.reduce(sums_[i]));
-            for (std::size_t j = 0; j < degree; ++j) sums_[i - degree + j] += factor * f_[j];
-        }
-        Vector result(std::min(size, degree));
-        for (std::size_t i = 0; i < result.size(); ++i) result[i] = field_.reduce(sums_[i]);
-        dense::trim(result);
-        return result;
-    }
-
-    const PrimeField& field_;
-    const Vector& f_;
-    std::vector<std::uint64_t> sums_;
-};
 
 } // namespace
 
@@ -118,7 +74,7 @@ class Sections {
 
 bool is_irreducible(const std::vector<std::uint32_t>& f, const PrimeField& field, base::Run& run) {
     if (f.size() < 2) return false;
-    ResidueClasses classes(field, f);
+    dense::ResidueClasses classes(field, f);
     Vector frobenius = {0, 1};
     for (std::size_t k = 1; 2 * k <= f.size() - 1; ++k) {
         run.poll();
