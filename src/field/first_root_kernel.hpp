@@ -43,7 +43,10 @@ class FirstRoot {
 
     /// \param error bounds the sum of the errors of a polynomial's coefficients, and all roundings here
     FirstRoot(int degree, const double* bernstein, double error)
-        : degree_(degree), bernstein_(bernstein), error_(Pack::all(error)) {}
+        : FirstRoot(degree, bernstein, Pack::all(error)) {}
+    /// The same with a bound for each lane.
+    FirstRoot(int degree, const double* bernstein, Pack error)
+        : degree_(degree), bernstein_(bernstein), error_(error) {}
 
     int degree() const { return fixed_degree > 0 ? fixed_degree : degree_; }
 
@@ -116,6 +119,49 @@ class FirstRoot {
         if (any(answer.found)) refine(c, bracket, answer);
         return answer;
     }
+
+    struct Existence {
+        Mask found;     ///< there is a root
+        Mask undecided; ///< of the others
+    };
+
+    /// Whether there is any root: over as soon as the values at the ends of a piece have different signs.
+    ///
+    /// Pieces end up to 2^-49 beyond the interval. A root out there is not taken for one inside if the error
+    /// bound covers by how much the value may change on the way: `overhang(degree)` times the sum of the
+    /// coefficients' absolute values.
+    Existence exists(const Pack* c, Pack lower, Pack upper) const {
+        const Pack half = Pack::all(0.5);
+        const Pack overlap = Pack::all(1.0 + 0x1p-50);
+        const Pack margin = Pack::all(0x1p-52);
+        const Pack shortest = Pack::all(Pack::shortest_piece);
+        Mask walking = ~(lower > upper);
+        Pack left = lower;
+        Pack right = upper;
+        Existence answer{Pack::nowhere(), Pack::nowhere()};
+        for (int steps = 0; steps < Pack::most_pieces && any(walking); ++steps) {
+            const Pack middle = (left + right) * half;
+            const Pack radius = fma((right - left) * half, overlap, margin);
+            const Signs signs = signs_on(c, middle, radius);
+            const Mask differ = (abs(signs.first) > error_) & (abs(signs.last) > error_) &
+                                Pack::opposite(signs.first, signs.last);
+            answer.found = answer.found | (walking & differ);
+            walking = walking & ~differ;
+            const Mask passed = walking & signs.none;
+            walking = walking & ~(passed & ~(upper > right));
+            const Mask halve = walking & ~passed;
+            // No shorter piece makes a value certain that is not so where the piece begins.
+            const Mask stuck = halve & ((shortest > radius) | ~(abs(signs.first) > error_));
+            answer.undecided = answer.undecided | stuck;
+            walking = walking & ~stuck;
+            const Pack next = min(upper, fma(right - left, Pack::all(2.0), right));
+            left = select(passed, right, left);
+            right = select(passed, next, select(halve, middle, right));
+        }
+        answer.undecided = answer.undecided | walking;
+        return answer;
+    }
+    static double overhang(int degree) { return degree * 0x1p-48; }
 
   private:
     struct Bracket {

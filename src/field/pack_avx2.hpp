@@ -40,6 +40,7 @@ struct Pack4 {
     friend Mask operator>(Pack4 a, Pack4 b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ)}; }
     friend Mask operator==(Pack4 a, Pack4 b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_EQ_OQ)}; }
     friend Pack4 fma(Pack4 a, Pack4 b, Pack4 c) { return {_mm256_fmadd_pd(a.v, b.v, c.v)}; }
+    friend Pack4 fused(Pack4 a, Pack4 b, Pack4 c) { return fma(a, b, c); }
     friend Pack4 max(Pack4 a, Pack4 b) { return {_mm256_max_pd(a.v, b.v)}; }
     friend Pack4 sqrt(Pack4 a) { return {_mm256_sqrt_pd(a.v)}; }
     friend Pack4 min(Pack4 a, Pack4 b) { return {_mm256_min_pd(a.v, b.v)}; }

@@ -43,6 +43,7 @@ struct Pack8 {
     friend Mask operator>(Pack8 a, Pack8 b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ)}; }
     friend Mask operator==(Pack8 a, Pack8 b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_EQ_OQ)}; }
     friend Pack8 fma(Pack8 a, Pack8 b, Pack8 c) { return {_mm512_fmadd_pd(a.v, b.v, c.v)}; }
+    friend Pack8 fused(Pack8 a, Pack8 b, Pack8 c) { return fma(a, b, c); }
     friend Pack8 max(Pack8 a, Pack8 b) { return {_mm512_max_pd(a.v, b.v)}; }
     friend Pack8 sqrt(Pack8 a) { return {_mm512_sqrt_pd(a.v)}; }
     friend Pack8 min(Pack8 a, Pack8 b) { return {_mm512_min_pd(a.v, b.v)}; }

@@ -34,6 +34,8 @@ struct SinglePack {
     friend Mask operator>(SinglePack a, SinglePack b) { return {a.v > b.v}; }
     friend Mask operator==(SinglePack a, SinglePack b) { return {a.v == b.v}; }
     friend SinglePack fma(SinglePack a, SinglePack b, SinglePack c) { return {a.v * b.v + c.v}; }
+    /// Rounded once, which fma() need not be.
+    friend SinglePack fused(SinglePack a, SinglePack b, SinglePack c) { return {std::fma(a.v, b.v, c.v)}; }
     friend SinglePack max(SinglePack a, SinglePack b) { return {a.v > b.v ? a.v : b.v}; }
     friend SinglePack sqrt(SinglePack a) { return {std::sqrt(a.v)}; }
     friend SinglePack min(SinglePack a, SinglePack b) { return {a.v < b.v ? a.v : b.v}; }

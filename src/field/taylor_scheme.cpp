@@ -87,6 +87,9 @@ class Layout {
         for (std::size_t i = 0; i < filled.rows(); ++i)
             for (std::size_t j = 0; j < filled.columns(); ++j) {
                 firsts_[i * filled.columns() + j] = static_cast<std::uint32_t>(scheme_.size);
+                if (filled.at(i, j) > 0)
+                    scheme_.filled.push_back({first(i, j), filled.at(i, j), static_cast<std::uint32_t>(i),
+                                              static_cast<std::uint32_t>(j)});
                 scheme_.size += filled.at(i, j);
             }
     }

@@ -32,6 +32,13 @@ struct TaylorScheme {
         std::uint32_t first = 0; ///< of w^0
         std::uint32_t count = 0;
     };
+    /// A line along w as it is afterwards: the entries of u^i v^j w^k for 0 ≤ k < count.
+    struct FilledLine {
+        std::uint32_t first = 0; ///< of w^0
+        std::uint32_t count = 0;
+        std::uint32_t i = 0;
+        std::uint32_t j = 0;
+    };
     /// One entry of a homogeneous part.
     struct Component {
         std::uint32_t entry = 0;
@@ -45,6 +52,7 @@ struct TaylorScheme {
     std::vector<std::uint32_t> slots;                    ///< entry of each term
     std::vector<Line> lines;
     std::vector<Step> steps;                   ///< first those along v, then those along u
+    std::vector<FilledLine> filled;            ///< all entries
     std::vector<std::vector<Component>> parts; ///< by order k
     /// Entries of 1; x, y, z; x², xy, xz, y², yz, z², or none.
     std::array<std::uint32_t, 10> low = {};

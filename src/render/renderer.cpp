@@ -144,7 +144,7 @@ RenderStatistics render(const scene::Surface& surface, const Camera& camera, con
         if (!part) continue;
         statistics.rays += part->rays;
         statistics.hits += part->hit_count;
-        statistics.occlusion_rays += part->samples.occlusion_rays;
+        statistics.occlusion_rays += part->samples.occlusion.rays;
         statistics.refined_pixels += part->refined_pixels;
     }
     statistics.stepping = painter.stepping();

@@ -117,19 +117,24 @@ void SamplePainter::paint_batch(const Samples& samples, Scratch& scratch, base::
 
 void SamplePainter::occlude(const Samples& samples, Scratch& scratch, base::Run& run) const {
     ShadingBatch& batch = scratch.batch;
-    if (samples.probe.has_shadows()) batch.visibility.resize(light_count_);
+    scratch.places.clear();
     for (std::size_t i = 0; i < batch.count; ++i) {
-        run.poll();
         const std::size_t sample = scratch.sample[i];
-        const OcclusionProbe::Place place{samples.ray(sample).at(samples.hits[sample].t),
-                                          vector_at(batch.normal, i),
-                                          samples.tile.column + sample % samples.tile.width,
-                                          samples.tile.row + sample / samples.tile.width};
-        for (std::size_t light = 0; light < batch.visibility.size(); ++light)
-            batch.visibility[light][i] = samples.probe.visibility(place, light, scratch.occlusion_rays, run);
-        if (samples.probe.has_ambient())
-            batch.openness[i] = samples.probe.openness(place, scratch.occlusion_rays, run);
+        scratch.places.push_back({samples.ray(sample).at(samples.hits[sample].t),
+                                  glm::normalize(vector_at(batch.normal, i)),
+                                  samples.tile.column + sample % samples.tile.width,
+                                  samples.tile.row + sample / samples.tile.width});
     }
+    if (samples.probe.has_shadows()) {
+        batch.visibility.resize(light_count_);
+        for (std::size_t light = 0; light < light_count_; ++light)
+            samples.probe.visibility(scratch.places, light,
+                                     std::span(batch.visibility[light]).first(batch.count), scratch.occlusion,
+                                     run);
+    }
+    if (samples.probe.has_ambient())
+        samples.probe.openness(scratch.places, std::span(batch.openness).first(batch.count),
+                               scratch.occlusion, run);
 }
 
 Colour SamplePainter::false_colour(const Samples& samples, const ShadingBatch& batch, std::size_t i,

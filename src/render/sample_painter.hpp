@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace eliminant::render {
 
@@ -23,7 +24,8 @@ class SamplePainter {
     struct Scratch {
         ShadingBatch batch;
         std::array<std::size_t, ShadingBatch::capacity> sample; ///< whose the points of the batch are
-        std::uint64_t occlusion_rays = 0;
+        std::vector<OcclusionProbe::Place> places;
+        OcclusionProbe::Scratch occlusion;
     };
 
     /// How many samples a pixel has. Where it has n × n, each sends only its share of the rays for shadows

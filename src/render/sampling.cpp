@@ -1,8 +1,5 @@
 #include "render/sampling.hpp"
 
-#include <glm/geometric.hpp>
-
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -28,46 +25,34 @@ double radical_inverse(std::uint32_t index) {
     return mirrored * 0x1p-32;
 }
 
-double wrapped(double x) { return x < 1 ? x : x - 1; }
-
-/// `local` in a right-handed frame whose third axis is `axis`.
-glm::dvec3 around(const glm::dvec3& axis, const glm::dvec3& local) {
-    // The frame of Duff, Burgess, Christensen, Hery, Kensler, Liani and Villemin (JCGT 2017): no case fails.
-    const double sign = std::copysign(1.0, axis.z);
-    const double a = -1 / (sign + axis.z);
-    const double b = axis.x * axis.y * a;
-    const glm::dvec3 first(1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x);
-    const glm::dvec3 second(b, sign + axis.y * axis.y * a, -axis.y);
-    return glm::normalize(local.x * first + local.y * second + local.z * axis);
-}
-
-glm::dvec3 on_circle(double radius, double turn, double height) {
-    const double angle = 2 * std::numbers::pi * turn;
-    return {radius * std::cos(angle), radius * std::sin(angle), height};
+/// Cosine and sine of a number of turns.
+Sample at_angle(double turns, double y) {
+    const double angle = 2 * std::numbers::pi * turns;
+    return {std::cos(angle), std::sin(angle), y};
 }
 
 } // namespace
 
-SampleSet::SampleSet(std::uint64_t seed, std::uint64_t column, std::uint64_t row, std::uint64_t purpose,
-                     std::uint32_t count)
-    : count_(count) {
+SamplePattern::SamplePattern(std::uint32_t count) {
+    samples_.reserve(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        samples_.push_back(at_angle((i + 0.5) / count, radical_inverse(i)));
+}
+
+SampleSet::SampleSet(const SamplePattern& pattern, std::uint64_t seed, std::uint64_t column,
+                     std::uint64_t row, std::uint64_t purpose)
+    : pattern_(pattern) {
     const std::uint64_t place = mixed(mixed(mixed(mixed(seed) ^ column) ^ row) ^ purpose);
-    shift_ = {unit_from(place), unit_from(mixed(place))};
+    shift_ = at_angle(unit_from(place), unit_from(mixed(place)));
 }
 
-SampleSet::Point SampleSet::operator[](std::uint32_t index) const {
-    return {wrapped((index + 0.5) / count_ + shift_.x), wrapped(radical_inverse(index) + shift_.y)};
-}
-
-glm::dvec3 direction_in_cone(const glm::dvec3& axis, double least_cosine, SampleSet::Point sample) {
-    // By Archimedes, heights on the sphere are uniform.
-    const double height = 1 - sample.y * (1 - least_cosine);
-    return around(axis, on_circle(std::sqrt(std::max(0.0, 1 - height * height)), sample.x, height));
-}
-
-glm::dvec3 direction_by_cosine(const glm::dvec3& normal, SampleSet::Point sample) {
-    // Malley: uniform in the disc, projected up to the hemisphere.
-    return around(normal, on_circle(std::sqrt(sample.y), sample.x, std::sqrt(1 - sample.y)));
+Frame::Frame(const glm::dvec3& axis) : axis_(axis) {
+    // The frame of Duff, Burgess, Christensen, Hery, Kensler, Liani and Villemin (JCGT 2017): no case fails.
+    const double sign = std::copysign(1.0, axis.z);
+    const double a = -1 / (sign + axis.z);
+    const double b = axis.x * axis.y * a;
+    first_ = {1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x};
+    second_ = {b, sign + axis.y * axis.y * a, -axis.y};
 }
 
 } // namespace eliminant::render

@@ -3,6 +3,9 @@
 #include "scene/finite.hpp"
 #include "scene/framing.hpp"
 #include "scene/grid_tracer.hpp"
+#include "scene/star_occlusion.hpp"
+
+#include "field/ray_stars.hpp"
 
 #include "eliminant/algebra/gcd.hpp"
 #include "eliminant/field/compiled_polynomial.hpp"
@@ -57,7 +60,8 @@ Curvature curvature_of(const field::Jet& jet) {
 class AlgebraicSurface final : public Surface {
   public:
     explicit AlgebraicSurface(algebra::Polynomial f)
-        : f_(std::move(f)), distances_(f_), compiled_(distances_.polynomial()), roots_(f_) {}
+        : f_(std::move(f)), distances_(f_), compiled_(distances_.polynomial()), roots_(f_),
+          stars_(distances_) {}
 
     std::unique_ptr<GridTracer> tracer(const RayGrid& rays, const ClipRegion& clip,
                                        base::Run& run) const override {
@@ -86,6 +90,15 @@ class AlgebraicSurface final : public Surface {
         require_interval(interval);
         return roots_.first(ray.origin, ray.direction, interval.lower, interval.upper, run).kind !=
                field::RayRoot::Kind::none;
+    }
+
+    void occluded(const RayStars& rays, const ClipRegion& clip, double reach, std::span<std::uint8_t> answers,
+                  base::Run& run) const override {
+        if (!stars_.is_possible()) return Surface::occluded(rays, clip, reach, answers, run);
+        require_stars(rays, reach, answers.size());
+        StarPacket packet(rays, clip, reach);
+        for (const StarPacket::Ray& rest : packet.solve(stars_, answers, run))
+            answers[rest.index] = occluded(rays.ray(rest.index), rest.interval, run) ? 1 : 0;
     }
 
     int sign(glm::dvec3 point) const override {
@@ -124,6 +137,7 @@ class AlgebraicSurface final : public Surface {
     field::DistanceField distances_;
     field::CompiledPolynomial compiled_;
     field::RayRoots roots_;
+    field::StarRoots stars_;
 };
 
 /// f = c for a number c: everywhere or nowhere.

@@ -8,6 +8,19 @@
 
 namespace eliminant::scene {
 
+/// A ClipRegion without its containers.
+struct RegionParts {
+    const Ball* balls = nullptr;
+    std::size_t ball_count = 0;
+    const HalfSpace* half_spaces = nullptr;
+    std::size_t half_space_count = 0;
+
+    static RegionParts of(const ClipRegion& region) {
+        return {region.balls().data(), region.balls().size(), region.half_spaces().data(),
+                region.half_spaces().size()};
+    }
+};
+
 /// One row of rays against a clip region, several rays at once: as ClipRegion::interval() for each, in the
 /// coordinate w of a BeamFrame.
 struct ClipRow {
@@ -16,10 +29,7 @@ struct ClipRow {
     Ray first;            ///< of the first column
     glm::dvec3 origin_dx; ///< from column to column
     glm::dvec3 direction_dx;
-    const Ball* balls = nullptr;
-    std::size_t ball_count = 0;
-    const HalfSpace* half_spaces = nullptr;
-    std::size_t half_space_count = 0;
+    RegionParts region = {};
 
     bool is_pencil = true; ///< w is affine in −1/t, else in t
     double middle_w = 0.0;
@@ -33,10 +43,29 @@ struct ClipRow {
 using RowClipper = void (*)(const ClipRow&);
 RowClipper row_clipper(base::VectorUnit unit);
 
+/// The same for rays from some points, as many from each (field::StarRays), in the rays' parameter and up to
+/// `reach`.
+struct ClipStars {
+    RegionParts region = {};
+    double reach = 0.0;
+    std::size_t count = 0;      ///< points, a multiple of ClipRow::padding
+    std::size_t rays = 0;       ///< of each
+    const double* origin[3];    ///< [point]
+    const double* direction[3]; ///< [ray·count + point]; not 0
+    double* lower = nullptr;    ///< so, too; lower > upper where the ray misses the region
+    double* upper = nullptr;
+};
+
+using StarClipper = void (*)(const ClipStars&);
+StarClipper star_clipper(base::VectorUnit unit);
+
 namespace detail {
 void clip_row_portable(const ClipRow& row);
+void clip_stars_portable(const ClipStars& stars);
 void clip_row_avx2(const ClipRow& row);
+void clip_stars_avx2(const ClipStars& stars);
 void clip_row_avx512(const ClipRow& row);
+void clip_stars_avx512(const ClipStars& stars);
 } // namespace detail
 
 } // namespace eliminant::scene

@@ -5,5 +5,6 @@
 namespace eliminant::scene {
 
 void detail::clip_row_avx512(const ClipRow& row) { clip_row<Pack8>(row); }
+void detail::clip_stars_avx512(const ClipStars& stars) { clip_stars<Pack8>(stars); }
 
 } // namespace eliminant::scene

@@ -11,7 +11,9 @@ namespace {
 
 using eliminant::scene::Ball;
 using eliminant::scene::ClipRow;
+using eliminant::scene::ClipStars;
 using eliminant::scene::HalfSpace;
+using eliminant::scene::RegionParts;
 
 template <class Pack>
 struct Vector {
@@ -36,29 +38,24 @@ Vector<Pack> abs(const Vector<Pack>& v) {
     return {abs(v.x), abs(v.y), abs(v.z)};
 }
 
+/// The part of rays that lies in a region, cut by one ball or half-space after the other.
 template <class Pack>
-class RowClip {
+class PackClip {
     using Mask = typename Pack::Mask;
     static constexpr double slack = 0x1p-48;
 
   public:
-    explicit RowClip(const ClipRow& row) : row_(row) {}
+    PackClip(const Vector<Pack>& origin, const Vector<Pack>& direction, double reach)
+        : origin_(origin), direction_(direction),
+          inverse_length_(Pack::all(1.0) / sqrt(dot(direction, direction))), lower_(Pack::all(0.0)),
+          upper_(Pack::all(reach)) {}
 
-    void clip(std::size_t first) {
-        double numbers[Pack::lanes];
-        for (std::size_t lane = 0; lane < Pack::lanes; ++lane)
-            numbers[lane] = static_cast<double>(first + lane);
-        const Pack i = Pack::load(numbers);
-        origin_ = along(row_.first.origin, row_.origin_dx, i);
-        direction_ = along(row_.first.direction, row_.direction_dx, i);
-        lower_ = Pack::all(0.0);
-        upper_ = Pack::all(std::numeric_limits<double>::infinity());
-        squared_length_ = dot(direction_, direction_);
-        inverse_length_ = Pack::all(1.0) / sqrt(squared_length_);
-        for (std::size_t b = 0; b < row_.ball_count; ++b) intersect(row_.balls[b]);
-        for (std::size_t h = 0; h < row_.half_space_count; ++h) intersect(row_.half_spaces[h]);
-        write(first);
+    void intersect(const RegionParts& region) {
+        for (std::size_t b = 0; b < region.ball_count; ++b) intersect(region.balls[b]);
+        for (std::size_t h = 0; h < region.half_space_count; ++h) intersect(region.half_spaces[h]);
     }
+    Pack lower() const { return lower_; } ///< of t
+    Pack upper() const { return upper_; } ///< less than lower() for a ray that misses
 
   private:
     void intersect(const Ball& ball) {
@@ -102,12 +99,37 @@ class RowClip {
         upper_ = select(outside, zero - Pack::all(1.0), upper_);
     }
 
-    void write(std::size_t first) const {
-        const Mask empty = lower_ > upper_;
+    Vector<Pack> origin_, direction_;
+    Pack inverse_length_;
+    Pack lower_, upper_;
+};
+
+/// Rays of a row.
+template <class Pack>
+class RowClip {
+    using Mask = typename Pack::Mask;
+    static constexpr double slack = 0x1p-48;
+
+  public:
+    explicit RowClip(const ClipRow& row) : row_(row) {}
+
+    void clip(std::size_t first) const {
+        double numbers[Pack::lanes];
+        for (std::size_t lane = 0; lane < Pack::lanes; ++lane)
+            numbers[lane] = static_cast<double>(first + lane);
+        const Pack i = Pack::load(numbers);
+        PackClip<Pack> clip(along(row_.first.origin, row_.origin_dx, i),
+                            along(row_.first.direction, row_.direction_dx, i),
+                            std::numeric_limits<double>::infinity());
+        clip.intersect(row_.region);
+        write(first, clip.lower(), clip.upper());
+    }
+
+  private:
+    void write(std::size_t first, Pack from, Pack to) const {
+        const Mask empty = from > to;
         const Pack one = Pack::all(1.0);
         const Pack minus_one = Pack::all(-1.0);
-        Pack from = lower_;
-        Pack to = upper_;
         if (row_.is_pencil) {
             from = minus_one / from;
             to = minus_one / to;
@@ -120,15 +142,28 @@ class RowClip {
     }
 
     const ClipRow& row_;
-    Vector<Pack> origin_, direction_;
-    Pack squared_length_, inverse_length_;
-    Pack lower_, upper_; // of t
 };
 
 template <class Pack>
 void clip_row(const ClipRow& row) {
-    RowClip<Pack> clip(row);
+    const RowClip<Pack> clip(row);
     for (std::size_t first = 0; first < row.count; first += Pack::lanes) clip.clip(first);
+}
+
+template <class Pack>
+void clip_stars(const ClipStars& stars) {
+    const auto load = [](const double* const* columns, std::size_t at) {
+        return Vector<Pack>{Pack::load(columns[0] + at), Pack::load(columns[1] + at),
+                            Pack::load(columns[2] + at)};
+    };
+    for (std::size_t ray = 0; ray < stars.rays; ++ray)
+        for (std::size_t first = 0; first < stars.count; first += Pack::lanes) {
+            const std::size_t at = ray * stars.count + first;
+            PackClip<Pack> clip(load(stars.origin, first), load(stars.direction, at), stars.reach);
+            clip.intersect(stars.region);
+            clip.lower().store(stars.lower + at);
+            clip.upper().store(stars.upper + at);
+        }
 }
 
 } // namespace

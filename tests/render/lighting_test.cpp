@@ -195,25 +195,50 @@ TEST(Lighting, ImproperOneIsRefused) {
 TEST(Sampling, DirectionsAreDistributedAsSaid) {
     const glm::dvec3 axis = glm::normalize(glm::dvec3(1, -2, -0.5));
     constexpr std::uint32_t count = 4096;
-    const SampleSet samples(7, 1, 2, 3, count);
+    const SamplePattern pattern(count);
+    const SampleSet samples(pattern, 7, 1, 2, 3);
+    const Frame frame(axis);
     const double least_cosine = std::cos(0.3);
     glm::dvec3 mean_in_cone(0);
+    glm::dvec3 mean_on_rim(0);
     double mean_cosine = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const glm::dvec3 in_cone = direction_in_cone(axis, least_cosine, samples[i]);
+        const glm::dvec3 in_cone = frame.in_cone(least_cosine, samples[i]);
         EXPECT_NEAR(glm::length(in_cone), 1, 1e-12);
         EXPECT_GE(glm::dot(in_cone, axis), least_cosine - 1e-12);
+        EXPECT_NEAR(glm::dot(frame.on_rim(least_cosine, samples[i]), axis), least_cosine, 1e-12);
         mean_in_cone += in_cone / static_cast<double>(count);
-        mean_cosine += glm::dot(direction_by_cosine(axis, samples[i]), axis) / count;
+        mean_on_rim += frame.on_rim(least_cosine, samples[i]) / static_cast<double>(count);
+        mean_cosine += glm::dot(frame.by_cosine(samples[i]), axis) / count;
     }
     // Uniform on a cap: the mean is the axis times the mean height. Cosine-weighted: ∫ 2 cos² sin = 2/3.
     EXPECT_LE(glm::length(mean_in_cone - axis * ((1 + least_cosine) / 2)), 2e-3);
+    EXPECT_LE(glm::length(mean_on_rim - axis * least_cosine), 1e-9);
     EXPECT_NEAR(mean_cosine, 2.0 / 3, 2e-3);
 }
 
+TEST(Sampling, FramesAreRightHandedForEveryAxis) {
+    std::mt19937_64 random(11);
+    for (int i = 0; i < 200; ++i) {
+        const glm::dvec3 axis = i < 2 ? glm::dvec3(0, 0, 2 * i - 1) : random_direction(random);
+        const Frame frame(axis);
+        const glm::dvec3 first = frame.on_rim(0, {1, 0, 0});
+        const glm::dvec3 second = frame.on_rim(0, {0, 1, 0});
+        EXPECT_LE(glm::length(glm::cross(first, second) - axis), 1e-12);
+        EXPECT_NEAR(glm::length(first), 1, 1e-12);
+        EXPECT_NEAR(glm::dot(first, second), 0, 1e-12);
+    }
+}
+
 TEST(Sampling, EverythingMatters) {
-    const auto first = [](std::uint64_t seed, std::uint64_t column, std::uint64_t row,
-                          std::uint64_t purpose) { return SampleSet(seed, column, row, purpose, 16)[0].x; };
+    const SamplePattern pattern(16);
+    const auto first = [&](std::uint64_t seed, std::uint64_t column, std::uint64_t row,
+                           std::uint64_t purpose) {
+        const Sample sample = SampleSet(pattern, seed, column, row, purpose)[0];
+        EXPECT_NEAR(sample.cosine * sample.cosine + sample.sine * sample.sine, 1, 1e-12);
+        EXPECT_TRUE(sample.y >= 0 && sample.y < 1) << sample.y;
+        return sample.cosine;
+    };
     const double x = first(1, 2, 3, 4);
     EXPECT_EQ(x, first(1, 2, 3, 4));
     EXPECT_NE(x, first(2, 2, 3, 4));

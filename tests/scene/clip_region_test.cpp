@@ -90,10 +90,7 @@ TEST(ClipRegion, RowsOfRaysAgreeWithSingleRays) {
                         .direction_dx = {0.025, 0.0, 0.0},
                         .is_pencil = is_pencil};
             if (!is_pencil) std::swap(row.origin_dx, row.direction_dx);
-            row.balls = clip.balls().data();
-            row.ball_count = clip.balls().size();
-            row.half_spaces = clip.half_spaces().data();
-            row.half_space_count = clip.half_spaces().size();
+            row.region = RegionParts::of(clip);
             const auto raw = [is_pencil](double t) { return is_pencil ? -1.0 / t : t; };
             row.middle_w = 0.5 * (raw(3.0) + raw(10.0));
             row.radius_w = 0.5 * (raw(10.0) - raw(3.0));

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <span>
 
 namespace eliminant::scene {
 
@@ -23,6 +24,15 @@ struct Interval {
 
     bool empty() const { return !(lower <= upper); }
     bool contains(double t) const { return lower <= t && t <= upper; }
+};
+
+/// As many rays from each of some points: ray j of point i starts at origins[i] and goes along
+/// directions[j · origins.size() + i].
+struct RayStars {
+    std::span<const glm::dvec3> origins = {};
+    std::span<const glm::dvec3> directions = {}; ///< a multiple of the number of origins
+
+    Ray ray(std::size_t index) const { return {origins[index % origins.size()], directions[index]}; }
 };
 
 /// width × height rays; that of column c and row r starts at origin + c·origin_dx + r·origin_dy and goes
@@ -65,5 +75,6 @@ namespace eliminant {
 using scene::Interval;
 using scene::Ray;
 using scene::RayGrid;
+using scene::RayStars;
 using scene::Tile;
 } // namespace eliminant

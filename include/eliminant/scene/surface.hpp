@@ -101,6 +101,11 @@ class Surface {
     virtual std::vector<Hit> all_hits(const Ray& ray, Interval interval, base::Run& run) const = 0;
     /// Whether there is any hit in the closed interval: for shadows.
     virtual bool occluded(const Ray& ray, Interval interval, base::Run& run) const;
+    /// The same for many rays, each between its origin and t = reach as far as it lies in the region:
+    /// answers[k], 1 or 0, is that of ray k. Several rays from each point, and neighbouring points, are
+    /// fastest. \throws DomainError if the lengths do not fit, or `reach` is negative or NaN
+    virtual void occluded(const RayStars& rays, const ClipRegion& clip, double reach,
+                          std::span<std::uint8_t> answers, base::Run& run) const;
 
     /// Sign of the function: −1, 0 or +1, exact.
     virtual int sign(glm::dvec3 point) const = 0;

@@ -1,0 +1,11 @@
+#include "pack_avx2.hpp"
+#include "ray_stars_kernel.hpp"
+
+namespace eliminant::field {
+
+void detail::solve_stars_avx2(const StarPolynomial& f, const StarRays& rays, std::size_t first,
+                              double* workspace) {
+    solve_stars<Pack4>(f, rays, first, workspace);
+}
+
+} // namespace eliminant::field
