@@ -1,9 +1,7 @@
 #include "implicit/hypersurface.hpp"
 
 #include "base/parallel.hpp"
-#include "implicit/linear_method.hpp"
 #include "implicit/remaindering.hpp"
-#include "implicit/resultant_method.hpp"
 
 #include <algorithm>
 #include <list>
@@ -12,25 +10,6 @@ namespace eliminant::implicit {
 
 using algebra::Polynomial;
 using algebra::PrimeField;
-
-HypersurfaceMethod hypersurface_method(Method method) {
-    switch (method) {
-    case Method::linear:
-        return equation_by_linear_algebra;
-    case Method::resultant:
-        return equation_by_resultants;
-    case Method::automatic:
-    case Method::groebner:
-        break;
-    }
-    return nullptr;
-}
-
-std::vector<Method> methods_to_try(Method asked, const HypersurfaceProblem& /*problem*/) {
-    if (asked == Method::groebner) return {};
-    if (asked != Method::automatic) return {asked};
-    return {Method::resultant, Method::linear};
-}
 
 ScaledProblem hypersurface_problem(const RationalMap& map, const algebra::Ring& ring, base::Run& run) {
     ScaledProblem scaled{{map, ring}, {}};

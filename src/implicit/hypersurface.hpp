@@ -29,16 +29,15 @@ struct HypersurfaceEquation {
     std::string how; ///< what the method did, for the curious: sizes and degrees
 };
 
-/// A method: nullopt if it is not made for the problem or meets its limits, so that another one is tried.
-/// \throws Stopped
-using HypersurfaceMethod = std::optional<HypersurfaceEquation> (*)(const HypersurfaceProblem&, base::Run&);
-
-/// The method of that name, which is one for hypersurfaces.
-HypersurfaceMethod hypersurface_method(Method method);
-
-/// The methods for hypersurfaces that are tried, in this sequence, before elimination: what was asked for, or
-/// for `automatic` those that suit the problem, the fastest first.
-std::vector<Method> methods_to_try(Method asked, const HypersurfaceProblem& problem);
+/// A method at work on a problem.
+class HypersurfaceMethod {
+  public:
+    virtual ~HypersurfaceMethod() = default;
+    virtual Method name() const = 0;
+    /// nullopt if the method is not made for the problem or meets its limits, so that another one is tried.
+    /// \throws Stopped
+    virtual std::optional<HypersurfaceEquation> equation() = 0;
+};
 
 /// The problem of a map, and the scales x = (numerator/denominator)·x′ of its coordinates.
 struct ScaledProblem {

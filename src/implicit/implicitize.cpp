@@ -7,6 +7,7 @@
 #include "implicit/kernel.hpp"
 #include "implicit/map_degree.hpp"
 #include "implicit/map_of.hpp"
+#include "implicit/method_choice.hpp"
 #include "implicit/verify_hypersurface.hpp"
 
 #include <utility>
@@ -82,7 +83,8 @@ class Implicitization {
         if (dimension + 1 == n && by_method_for_hypersurfaces()) return;
         const GradedMap graded = graded_map(parametrization_, map_, {});
         const auto codimension = dimension + 1 == n ? Codimension::one_at_most : Codimension::unknown;
-        const Kernel kernel = kernel_by_primes(graded, codimension, run_);
+        const Kernel kernel =
+            kernel_by_primes(graded, codimension, run_, elimination_ ? &*elimination_ : nullptr);
         accept(graded, kernel);
         result_.proof =
             codimension == Codimension::one_at_most
@@ -105,11 +107,15 @@ class Implicitization {
         }
         const ScaledProblem scaled =
             hypersurface_problem(cylinders.empty() ? map : cylinders.back().base, rings.back(), run_);
-        for (const Method method : methods_to_try(method_, scaled.problem)) {
-            const std::string name(to_string(method));
-            const auto found = hypersurface_method(method)(scaled.problem, run_);
+        MethodChoice choice = methods_for(scaled.problem);
+        result_.predicted = std::move(choice.costs);
+        say(choice.reason);
+        elimination_ = std::move(choice.elimination);
+        for (const auto& method : choice.methods) {
+            const std::string name(to_string(method->name()));
+            const auto found = method->equation();
             if (!found) {
-                result_.choice += "the method " + name + " gave up; ";
+                say("the method " + name + " gave up");
                 continue;
             }
             Polynomial f = with_scales(found->equation, scaled.scales, run_);
@@ -117,14 +123,21 @@ class Implicitization {
             if (assurance_ == Assurance::proved) {
                 result_.claims = prove_hypersurface(map, f, run_);
                 if (!result_.claims) {
-                    result_.choice += "what the method " + name + " found could not be proved; ";
+                    say("what the method " + name + " found could not be proved");
                     continue;
                 }
             }
-            accept(std::move(f), method, *found);
+            accept(std::move(f), method->name(), *found);
             return true;
         }
         return false;
+    }
+
+    /// What was asked for, or those that are expected to be faster than elimination.
+    MethodChoice methods_for(const HypersurfaceProblem& problem) {
+        if (method_ != Method::automatic) return method_asked_for(method_, problem, run_);
+        return choose_method(
+            problem, [this] { return graded_map(parametrization_, map_, {}); }, run_);
     }
 
     void accept(Polynomial f, Method method, const HypersurfaceEquation& found) {
@@ -133,7 +146,7 @@ class Implicitization {
         result_.method = method;
         result_.assurance = assurance_;
         result_.proof = assurance_ == Assurance::proved ? hypersurface_theorem : confirmation;
-        result_.choice += found.how;
+        say(found.how);
         result_.statistics.primes_used = found.primes_used;
         if (!is_graph(parametrization_, map_)) result_.notes.emplace_back(closure_note);
     }
@@ -177,6 +190,10 @@ class Implicitization {
         equations.front() = equations.front().in_ring(hypersurface_ring_).primitive_part();
     }
 
+    void say(const std::string& words) {
+        if (!words.empty()) result_.choice.append(result_.choice.empty() ? "" : "; ").append(words);
+    }
+
     void warn(const char* sentence) { result_.warnings.emplace_back(sentence); }
 
     const Parametrization& parametrization_;
@@ -187,6 +204,7 @@ class Implicitization {
     ProjectiveMap map_;
     algebra::Ring hypersurface_ring_;
     algebra::Ring several_ring_;
+    std::optional<EliminationEffort> elimination_; ///< begun when the method was chosen
     ImplicitResult result_;
 };
 

@@ -15,6 +15,8 @@ using algebra::Polynomial;
 
 namespace {
 
+constexpr std::uint64_t first_prime = algebra::PrimeField::max_characteristic;
+
 /// The elements of the ideal of the graph, over some field, in the kept variables: a reduced basis, or the
 /// first element.
 struct KeptElements {
@@ -64,9 +66,23 @@ bool proves(const mpz_class& modulus, const GradedMap& map, const std::vector<Po
         elements, [&](const Polynomial& f) { return 2 * vanishing_bound(map, f).to_mpz() < modulus; });
 }
 
+/// log₂ of the greatest ∏ ‖φ(xᵢ)‖₁^eᵢ of a term of f: of vanishing_bound() without coefficients.
+double bits_of_largest_image(const GradedMap& map, const Polynomial& f) {
+    double largest = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        double bits = 0;
+        for (std::size_t variable = map.eliminated; variable < map.norms.size(); ++variable)
+            bits += static_cast<double>(f.exponent(i, variable)) *
+                    static_cast<double>(mpz_sizeinbase(Integer::View(map.norms[variable]), 2) - 1);
+        largest = std::max(largest, bits);
+    }
+    return largest;
+}
+
 } // namespace
 
-Kernel kernel_by_primes(const GradedMap& map, Codimension codimension, base::Run& run) {
+Kernel kernel_by_primes(const GradedMap& map, Codimension codimension, base::Run& run,
+                        const EliminationEffort* known) {
     const bool first_only = codimension == Codimension::one_at_most;
     Kernel kernel;
     if (first_only) {
@@ -80,7 +96,7 @@ Kernel kernel_by_primes(const GradedMap& map, Codimension codimension, base::Run
         }
     }
     std::list<Remaindering> attempts;
-    std::uint64_t p = algebra::PrimeField::max_characteristic + 1;
+    std::uint64_t p = first_prime + 1;
     for (;;) {
         // One prime is often enough, so the first goes alone; the primes are the same for every thread count.
         std::vector<std::uint64_t> primes(kernel.primes_used == 0 ? 1 : run.threads());
@@ -88,7 +104,9 @@ Kernel kernel_by_primes(const GradedMap& map, Codimension codimension, base::Run
         run.report([&] {
             return Progress{"elimination modulo primes", kernel.primes_used, 0, "prime " + std::to_string(p)};
         });
-        for (const KeptElements& image : kernels_modulo(map, primes, first_only, run)) {
+        const bool is_known = known && kernel.primes_used == 0;
+        for (const KeptElements& image : is_known ? std::vector{KeptElements{{known->image}, {}}}
+                                                  : kernels_modulo(map, primes, first_only, run)) {
             ++kernel.primes_used;
             kernel.statistics += image.statistics;
             if (image.elements.empty()) return kernel; // N(p) = 0, so N = 0
@@ -102,6 +120,30 @@ Kernel kernel_by_primes(const GradedMap& map, Codimension codimension, base::Run
             return kernel;
         }
     }
+}
+
+std::optional<EliminationEffort> elimination_effort(const GradedMap& map, double max_products,
+                                                    base::Run& run) {
+    const auto ring = map.ring.with_field(algebra::CoefficientField::prime(first_prime));
+    std::vector<Polynomial> generators;
+    for (const Polynomial& f : map.generators) generators.push_back(f.in_ring(ring));
+    std::vector<double> sizes;
+    double products = 0;
+    std::optional<Polynomial> kernel;
+    groebner::BuchbergerOptions options;
+    options.grading = map.weights;
+    options.stop_at = [&](const Polynomial& f) {
+        sizes.push_back(static_cast<double>(f.size()));
+        products += sizes.back() * static_cast<double>(sizes.size()); // a step for each of the others
+        if (map.is_kept(f)) kernel = f;
+        return kernel || products > max_products;
+    };
+    const auto statistics = buchberger(ring, generators, options, run).statistics;
+    if (!kernel) return std::nullopt;
+    const auto median = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::ranges::nth_element(sizes, median);
+    return EliminationEffort{static_cast<double>(statistics.reduction_steps) * *median,
+                             bits_of_largest_image(map, *kernel), kernel->monic()};
 }
 
 Kernel kernel_over_rationals(const GradedMap& map, base::Run& run) {

@@ -5,6 +5,7 @@
 #include "implicit/graded_map.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace eliminant::implicit {
@@ -21,6 +22,18 @@ enum class Codimension {
     one_at_most, ///< the image has dimension n − 1 or more, so the kernel is zero or principal
     unknown,
 };
+
+/// An elimination modulo the first prime, and what it took.
+struct EliminationEffort {
+    double products;           ///< about so many: reduction steps, times the median of the numbers of terms
+    double bits;               ///< about log₂ of the product of primes that a proof needs
+    algebra::Polynomial image; ///< of the generator of the kernel, monic
+};
+
+/// In codimension one: nullopt if it would take more, as far as the sizes of the elements tell when they
+/// come, before one of the kernel is met.
+std::optional<EliminationEffort> elimination_effort(const GradedMap& map, double max_products,
+                                                    base::Run& run);
 
 /// The kernel of a map whose domain has no relations but rotations, from its images modulo word-size primes,
 /// put together by Chinese remaindering and rational reconstruction. Coefficients of the intermediate
@@ -41,7 +54,10 @@ enum class Codimension {
 ///
 /// A prime at which N(p) is larger than N gives other leading monomials (in codimension one: a lower degree);
 /// such primes are put together apart, and can never pass step 1 as long as the right ones are among them.
-Kernel kernel_by_primes(const GradedMap& map, Codimension codimension, base::Run& run);
+///
+/// \param known of this map, of codimension one: saves the first prime
+Kernel kernel_by_primes(const GradedMap& map, Codimension codimension, base::Run& run,
+                        const EliminationEffort* known = nullptr);
 
 /// The kernel of any graded map, over ℚ: the elimination theorem as it stands.
 Kernel kernel_over_rationals(const GradedMap& map, base::Run& run);

@@ -37,28 +37,52 @@ std::vector<std::uint64_t> weights_of(const RationalMap& map) {
     return weights;
 }
 
-/// All coefficients at once where they are few, from sections otherwise.
-class LinearMethod {
+class PointMatrices : public LinearMethod {
   public:
-    LinearMethod(const HypersurfaceProblem& problem, base::Run& run)
+    PointMatrices(const HypersurfaceProblem& problem, base::Run& run)
         : problem_(problem), run_(run), weights_(weights_of(problem.map)),
           sections_(problem.map, weights_, max_terms) {}
 
-    std::optional<Polynomial> image(const PrimeField& field) {
-        const MapModulo map(problem_.map, field);
-        const algebra::Ring ring =
-            problem_.ring.with_field(algebra::CoefficientField::prime(field.characteristic()));
-        if (by_sections_) return image_by_sections(map, ring);
-        algebra::Random random(run_.seed() + field.characteristic());
-        const PointSource points = [&] { return map.random_image(random); };
-        if (support_.size() == 0) {
-            if (auto f = learn(field, points, ring)) return f;
-            by_sections_ = sections_.is_applicable();
-            return by_sections_ ? image_by_sections(map, ring) : std::nullopt;
+    Method name() const override { return Method::linear; }
+
+    std::optional<HypersurfaceEquation> equation() override {
+        auto equation = equation_from_images(
+            problem_.ring, Echelon::prime_bound, [this](const PrimeField& field) { return image(field); },
+            run_);
+        if (equation) equation->how = describe();
+        return equation;
+    }
+
+    std::optional<LinearSizes> sizes(std::size_t degree) const override {
+        const std::uint64_t weighted = weighted_degree(degree);
+        const std::size_t terms = Support::count_up_to(weights_, weighted, max_terms);
+        LinearSizes result{degree, terms, 1, 0};
+        if (sections_.is_applicable() && terms >= max_terms_at_once) {
+            result.terms = sections_.predicted_terms(weighted, max_terms);
+            result.planes = degree + 1;
+            result.root_degree = sections_.root_degree(problem_.map);
         }
-        const auto coefficients = first_vanishing(field, support_, points, run_);
-        if (!coefficients || coefficients->size() != support_.size()) return std::nullopt;
-        return monic_polynomial(ring, support_, *coefficients);
+        if (result.terms >= max_terms) return std::nullopt;
+        return result;
+    }
+
+    std::optional<LinearSizes> small_sizes(std::size_t max_count) override {
+        const PrimeField field(algebra::previous_prime(Echelon::prime_bound));
+        if (!learned_) learned_ = learn(field, MapModulo(problem_.map, field), max_count);
+        if (!learned_) return std::nullopt;
+        return LinearSizes{static_cast<std::size_t>(learned_->total_degree()), support_.size(), 1, 0};
+    }
+
+  private:
+    /// Of an equation of a degree. A curve's has the highest power of the coordinate of least weight. So have
+    /// surfaces without base points at infinity; with them the weighted degree tends to be greater.
+    std::uint64_t weighted_degree(std::size_t degree) const {
+        if (weights_.size() == 2) return degree * std::ranges::min(weights_);
+        return degree * std::accumulate(weights_.begin(), weights_.end(), std::uint64_t{0}) / weights_.size();
+    }
+
+    algebra::Ring ring_modulo(const PrimeField& field) const {
+        return problem_.ring.with_field(algebra::CoefficientField::prime(field.characteristic()));
     }
 
     std::string describe() const {
@@ -66,17 +90,35 @@ class LinearMethod {
                             : std::to_string(support_.size()) + " coefficients at once";
     }
 
-  private:
+    std::optional<Polynomial> image(const PrimeField& field) {
+        if (learned_ && learned_->ring().field().characteristic() == field.characteristic()) return learned_;
+        const MapModulo map(problem_.map, field);
+        const algebra::Ring ring = ring_modulo(field);
+        if (by_sections_) return image_by_sections(map, ring);
+        if (support_.size() == 0) {
+            const std::size_t limit = sections_.is_applicable() ? max_terms_at_once : max_terms;
+            learned_ = learn(field, map, limit);
+            if (learned_) return learned_;
+            by_sections_ = sections_.is_applicable();
+            return by_sections_ ? image_by_sections(map, ring) : std::nullopt;
+        }
+        algebra::Random random(run_.seed() + field.characteristic());
+        const PointSource points = [&] { return map.random_image(random); };
+        const auto coefficients = first_vanishing(field, support_, points, run_);
+        if (!coefficients || coefficients->size() != support_.size()) return std::nullopt;
+        return monic_polynomial(ring, support_, *coefficients);
+    }
+
     std::optional<Polynomial> image_by_sections(const MapModulo& map, const algebra::Ring& ring) {
         const auto image = sections_.image(map, run_);
         if (!image) return std::nullopt;
         return monic_polynomial(ring, image->support, image->coefficients);
     }
 
-    /// Tries the monomials of ascending degree.
-    std::optional<Polynomial> learn(const PrimeField& field, const PointSource& points,
-                                    const algebra::Ring& ring) {
-        const std::size_t limit = sections_.is_applicable() ? max_terms_at_once : max_terms;
+    /// Tries the monomials of ascending degree, up to `limit` of them.
+    std::optional<Polynomial> learn(const PrimeField& field, const MapModulo& map, std::size_t limit) {
+        algebra::Random random(run_.seed() + field.characteristic());
+        const PointSource points = [&] { return map.random_image(random); };
         std::size_t size = 0;
         for (std::uint64_t degree = 1; size < limit; degree += (degree + 3) / 4) {
             const std::size_t next = Support::count_up_to(weights_, degree, limit);
@@ -86,7 +128,7 @@ class LinearMethod {
             const auto coefficients = first_vanishing(field, candidates, points, run_);
             if (!coefficients) continue;
             support_ = candidates.where_nonzero(*coefficients);
-            return monic_polynomial(ring, candidates, *coefficients);
+            return monic_polynomial(ring_modulo(field), candidates, *coefficients);
         }
         return std::nullopt;
     }
@@ -97,21 +139,21 @@ class LinearMethod {
     SectionSolver sections_;
     bool by_sections_ = false;
     Support support_{0};
+    std::optional<Polynomial> learned_; ///< the first image, where it was found all at once
 };
+
+bool is_made_for(const HypersurfaceProblem& problem) {
+    return problem.map.denominator.total_degree() <= max_degree &&
+           std::ranges::all_of(problem.map.components, [](const RationalMap::Component& component) {
+               return component.numerator.total_degree() <= max_degree;
+           });
+}
 
 } // namespace
 
-std::optional<HypersurfaceEquation> equation_by_linear_algebra(const HypersurfaceProblem& problem,
-                                                               base::Run& run) {
-    for (const RationalMap::Component& component : problem.map.components)
-        if (component.numerator.total_degree() > max_degree) return std::nullopt;
-    if (problem.map.denominator.total_degree() > max_degree) return std::nullopt;
-    LinearMethod method(problem, run);
-    auto equation = equation_from_images(
-        problem.ring, Echelon::prime_bound, [&](const PrimeField& field) { return method.image(field); },
-        run);
-    if (equation) equation->how = method.describe();
-    return equation;
+std::unique_ptr<LinearMethod> linear_method(const HypersurfaceProblem& problem, base::Run& run) {
+    if (!is_made_for(problem)) return nullptr;
+    return std::make_unique<PointMatrices>(problem, run);
 }
 
 } // namespace eliminant::implicit

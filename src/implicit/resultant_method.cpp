@@ -105,18 +105,56 @@ enum class Position {
     sheared,
 };
 
-class ResultantMethod {
+class LineResultants : public ResultantMethod {
   public:
-    ResultantMethod(const HypersurfaceProblem& problem, base::Run& run)
+    LineResultants(const HypersurfaceProblem& problem, base::Run& run)
         : ring_(problem.ring), run_(run), forms_(forms_of(problem.map, run)),
           parameters_(used_parameters(forms_)) {
         // The parameter of lower degree is eliminated: the order of Bézout's matrix is its degree.
         std::ranges::stable_sort(parameters_, {}, &UsedParameter::degree);
     }
 
-    /// Finds the shape of the fibres. False if the method is not made for the map.
-    bool learn() {
-        if (parameters_.size() + 2 != forms_.size()) return false;
+    Method name() const override { return Method::resultant; }
+
+    std::optional<ResultantSizes> size_bounds() const override {
+        if (parameters_.size() + 2 != forms_.size() || is_too_large()) return std::nullopt;
+        const auto hidden = static_cast<std::size_t>(parameters_.back().degree);
+        if (!is_surface()) return ResultantSizes{0, 0, hidden, hidden, hidden + 1};
+        const auto eliminated = static_cast<std::size_t>(parameters_.front().degree);
+        const std::size_t size = 2 * eliminated * hidden;
+        return ResultantSizes{eliminated, size + 1, size, size, (size + 1) * (size + 2) / 2};
+    }
+
+    std::optional<ResultantSizes> sizes() override {
+        if (!has_learned_) learn();
+        if (!shape_) return std::nullopt;
+        return ResultantSizes{is_surface() ? static_cast<std::size_t>(parameters_.front().degree) : 0,
+                              shape_->nodes.count, shape_->fibre_size, shape_->degree, shape_->lines};
+    }
+
+    std::optional<HypersurfaceEquation> equation() override {
+        if (!sizes()) return std::nullopt;
+        auto result = equation_from_images(
+            ring_, short_prime_bound, [this](const PrimeField& field) { return image(field); }, run_);
+        if (result) result->how = description();
+        return result;
+    }
+
+  private:
+    /// What is the same for all lines and primes, but bad ones.
+    struct Shape {
+        SurfaceNodes nodes;     ///< for surfaces
+        std::size_t fibre_size; ///< points that are taken to a line
+        std::size_t degree;     ///< of the equation: how many points of the image that makes
+        std::size_t lines;
+    };
+
+    static constexpr int attempts = 3; ///< against bad luck in random choices
+
+    /// Finds the shape of the fibres, if the method is made for the map.
+    void learn() {
+        has_learned_ = true;
+        if (parameters_.size() + 2 != forms_.size()) return;
         const PrimeField field(algebra::previous_prime(short_prime_bound));
         algebra::Random random(run_.seed());
         for (int i = 0; i < attempts; ++i) {
@@ -125,13 +163,12 @@ class ResultantMethod {
                 position_ = position;
                 if (is_too_large() || (!is_surface() && position != Position::as_given)) continue;
                 for (std::size_t choice = 0; choice < parameters_.size(); ++choice) {
-                    if (learn_from_line(field, random)) return true;
+                    if (learn_from_line(field, random)) return;
                     // Points of a fibre may have one parameter in common and not the other.
                     std::swap(parameters_.front(), parameters_.back());
                 }
             }
         }
-        return false;
     }
 
     /// After learn(). May be called for several primes at the same time.
@@ -146,17 +183,6 @@ class ResultantMethod {
         return "resultants on " + std::to_string(shape_->lines) + " lines with fibres of " +
                std::to_string(shape_->fibre_size) + " points";
     }
-
-  private:
-    /// What is the same for all lines and primes, but bad ones.
-    struct Shape {
-        SurfaceNodes nodes;     ///< for surfaces
-        std::size_t fibre_size; ///< points that are taken to a line
-        std::size_t degree;     ///< of the equation: how many points of the image that makes
-        std::size_t lines;
-    };
-
-    static constexpr int attempts = 3; ///< against bad luck in random choices
 
     /// Whether fibres have more points than there is time for.
     bool is_too_large() const {
@@ -269,23 +295,16 @@ class ResultantMethod {
     std::vector<Polynomial> forms_;
     std::vector<UsedParameter> parameters_; ///< of a surface: the eliminated one, then the hidden one
     Position position_ = Position::as_given;
+    bool has_learned_ = false;
     std::optional<Shape> shape_;
 };
 
 } // namespace
 
-std::optional<HypersurfaceEquation> equation_by_resultants(const HypersurfaceProblem& problem,
-                                                           base::Run& run) {
-    if (!problem.map.constants.empty()) return std::nullopt;
+std::unique_ptr<ResultantMethod> resultant_method(const HypersurfaceProblem& problem, base::Run& run) {
     const std::size_t coordinates = problem.map.components.size();
-    if (coordinates != 2 && coordinates != 3) return std::nullopt;
-    ResultantMethod method(problem, run);
-    if (!method.learn()) return std::nullopt;
-    auto result = equation_from_images(
-        problem.ring, short_prime_bound, [&](const PrimeField& field) { return method.image(field); }, run);
-    if (!result) return std::nullopt;
-    result->how = method.description();
-    return result;
+    if (!problem.map.constants.empty() || (coordinates != 2 && coordinates != 3)) return nullptr;
+    return std::make_unique<LineResultants>(problem, run);
 }
 
 } // namespace eliminant::implicit

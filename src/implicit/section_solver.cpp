@@ -74,13 +74,36 @@ std::optional<Coefficients> SectionSolver::solve_section(const Values& values, c
     return coefficients;
 }
 
-std::optional<Coefficients> SectionSolver::learn_section(const PrimeField& field, const PointSource& points,
-                                                         base::Run& run) {
+/// Those that have no values in a section.
+std::vector<std::size_t> SectionSolver::free_coordinates() const {
     std::vector<std::size_t> free(weights_.size());
     std::iota(free.begin(), free.end(), std::size_t{0});
     for (const Level& level : levels_) std::erase(free, level.coordinate);
+    return free;
+}
+
+std::vector<std::uint64_t> SectionSolver::weights_at(std::span<const std::size_t> coordinates) const {
     std::vector<std::uint64_t> weights;
-    for (const std::size_t i : free) weights.push_back(weights_[i]);
+    for (const std::size_t i : coordinates) weights.push_back(weights_[i]);
+    return weights;
+}
+
+std::size_t SectionSolver::predicted_terms(std::uint64_t weighted_degree, std::size_t limit) const {
+    return Support::count_up_to(weights_at(free_coordinates()), weighted_degree, limit);
+}
+
+std::size_t SectionSolver::root_degree(const RationalMap& map) const {
+    if (!fixed_.coordinate) return 0;
+    const RationalMap::Component& component = map.components[*fixed_.coordinate];
+    std::int64_t degree = component.numerator.degree(fixed_.variable);
+    if (component.over_denominator) degree = std::max(degree, map.denominator.degree(fixed_.variable));
+    return static_cast<std::size_t>(degree);
+}
+
+std::optional<Coefficients> SectionSolver::learn_section(const PrimeField& field, const PointSource& points,
+                                                         base::Run& run) {
+    const std::vector<std::size_t> free = free_coordinates();
+    const std::vector<std::uint64_t> weights = weights_at(free);
     std::size_t size = 0;
     for (std::uint64_t degree = 1; size < max_terms_; degree += (degree + 5) / 6) {
         run.poll();

@@ -45,6 +45,12 @@ class SectionSolver {
 
     std::string describe() const; ///< What was learned.
 
+    /// Before anything was learned: monomials of a section of an equation of that weighted degree, or `limit`
+    /// if they are more.
+    std::size_t predicted_terms(std::uint64_t weighted_degree, std::size_t limit) const;
+    /// Of the equation that is solved for a point of a section; 0 if none is.
+    std::size_t root_degree(const RationalMap& map) const;
+
   private:
     using Element = MapModulo::Element;
     using Values = std::vector<Element>;
@@ -75,6 +81,8 @@ class SectionSolver {
     std::optional<Coefficients> solve(std::size_t level, const Values& values, const MapModulo& map,
                                       base::Run& run);
     std::optional<Coefficients> solve_section(const Values& values, const MapModulo& map, base::Run& run);
+    std::vector<std::size_t> free_coordinates() const;
+    std::vector<std::uint64_t> weights_at(std::span<const std::size_t> coordinates) const;
     std::optional<Coefficients> learn_section(const algebra::PrimeField& field, const PointSource& points,
                                               base::Run& run);
     std::optional<Coefficients> learn_level(std::size_t level, const Values& values, const MapModulo& map,

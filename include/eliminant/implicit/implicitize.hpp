@@ -49,6 +49,15 @@ struct ImplicitizeOptions {
     bool parametrization_degree = false;
 };
 
+/// What a method was predicted to take for a hypersurface, without the proof.
+struct MethodCost {
+    Method method = Method::automatic;
+    /// Of one thread of the machine that the models were measured on; elsewhere only the ratios mean
+    /// something.
+    double seconds = 0;
+    bool at_least = false; ///< Whether it would be more, nobody knows how much.
+};
+
 /// What it took.
 struct ImplicitStatistics {
     std::uint64_t primes_used = 0; ///< images modulo primes that the result was put together from; 0: over ℚ
@@ -83,6 +92,8 @@ struct ImplicitResult {
     /// What the proof of a hypersurface is made of, if the method came with one; certify() makes a
     /// certificate of any result.
     std::optional<Claims> claims = {};
+    /// If the method was chosen for a hypersurface: what was predicted, the least first.
+    std::vector<MethodCost> predicted = {};
     std::string choice = {}; ///< Why this method, and what it did, where there is something to say.
 };
 
@@ -102,4 +113,5 @@ using implicit::ImplicitizeOptions;
 using implicit::ImplicitResult;
 using implicit::ImplicitStatistics;
 using implicit::Method;
+using implicit::MethodCost;
 } // namespace eliminant
