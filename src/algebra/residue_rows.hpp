@@ -30,6 +30,9 @@ struct ResidueRows {
                          std::uint32_t p);
     /// x[i] *= factor.
     void (*scale)(std::uint32_t* x, std::size_t n, ResidueFactor factor, std::uint32_t p);
+    /// x[i] = s·x[i] + t·y[i] + u·y[i + 1]; y has n + 1 residues.
+    void (*combine)(std::uint32_t* x, const std::uint32_t* y, std::size_t n, ResidueFactor s, ResidueFactor t,
+                    ResidueFactor u, std::uint32_t p);
     /// x[i] *= y[i] for an odd p.
     void (*multiply)(std::uint32_t* x, const std::uint32_t* y, std::size_t n, std::uint32_t p);
 };

@@ -37,7 +37,15 @@ inline void scale(std::uint32_t* __restrict x, std::size_t n, ResidueFactor fact
     for (std::size_t i = 0; i < n; ++i) x[i] = times(x[i], factor, p);
 }
 
-/// P. Montgomery (Math. Comp. 44, 1985): x·y/2^32 mod p, then the same with 2^64 mod p.
+inline void combine(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n,
+                    ResidueFactor s, ResidueFactor t, ResidueFactor u, std::uint32_t p) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::uint32_t sum = corrected(times(y[i], t, p) + times(y[i + 1], u, p), p);
+        x[i] = corrected(times(x[i], s, p) + sum, p);
+    }
+}
+
+/// x·y/2^32 mod p, then the same with 2^64 mod p (P. Montgomery, Math. Comp. 44, 1985).
 inline void multiply(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n,
                      std::uint32_t p) {
     std::uint32_t inverse = p; // modulo 2^32: three right bits, doubled four times
@@ -51,7 +59,7 @@ inline void multiply(std::uint32_t* __restrict x, const std::uint32_t* __restric
         x[i] = reduced(std::uint64_t{reduced(std::uint64_t{x[i]} * y[i])} * square);
 }
 
-inline constexpr ResidueRows compiled_rows = {add, subtract, add_multiple, scale, multiply};
+inline constexpr ResidueRows compiled_rows = {add, subtract, add_multiple, scale, combine, multiply};
 
 } // namespace
 } // namespace eliminant::algebra

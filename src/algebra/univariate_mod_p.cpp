@@ -1,5 +1,7 @@
 #include "univariate_mod_p.hpp"
 
+#include "residue_rows.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -7,11 +9,19 @@ namespace eliminant::algebra::dense {
 
 namespace {
 
+/// Rows that are shorter are not worth a call of vector code and what it prepares.
+constexpr std::size_t short_row = 24;
+
 /// r[i] = s·r[i] + t·b[i−1] + u·b[i] for 0 ≤ i < n, with b[−1] = 0: one remainder of a gcd without an
 /// inversion. Three products of residues below 2^31 fit in 64 bits, so a coefficient costs one reduction.
 void combine(const PrimeField& field, Vector& r, const Vector& b, std::size_t n, Element s, Element t,
              Element u) {
     r[0] = field.reduce(std::uint64_t{s} * r[0] + std::uint64_t{u} * b[0]);
+    if (n > short_row) {
+        const std::uint32_t p = field.characteristic();
+        residue_rows().combine(r.data() + 1, b.data(), n - 1, {s, p}, {t, p}, {u, p}, p);
+        return;
+    }
     for (std::size_t i = 1; i < n; ++i)
         r[i] = field.reduce(std::uint64_t{s} * r[i] + std::uint64_t{t} * b[i - 1] + std::uint64_t{u} * b[i]);
 }
@@ -47,6 +57,11 @@ void remainder_of_next_degree(const Field& field, Vector& a, const Vector& b) {
 
 template <>
 void add_multiple(const PrimeField& field, std::span<Element> a, std::span<const Element> b, Element factor) {
+    const std::uint32_t p = field.characteristic();
+    if (b.size() > short_row) {
+        residue_rows().add_multiple(a.data(), b.data(), b.size(), ResidueFactor(factor, p), p);
+        return;
+    }
     for (std::size_t i = 0; i < b.size(); ++i) a[i] = field.reduce(a[i] + std::uint64_t{factor} * b[i]);
 }
 

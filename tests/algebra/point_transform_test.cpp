@@ -149,6 +149,13 @@ TEST(ResidueRows, EveryUnitAgreesWithTheDefinition) {
                 rows.subtract(difference.data(), y.data(), n, p);
                 rows.add_multiple(combination.data(), y.data(), n, ResidueFactor(c, p), p);
                 rows.scale(scaled.data(), n, ResidueFactor(c, p), p);
+                std::vector<std::uint32_t> mixture = x;
+                if (n > 0) rows.combine(mixture.data(), y.data(), n - 1, {p - 1, p}, {c, p}, {p - 2, p}, p);
+                for (std::size_t i = 0; i + 1 < n; ++i) {
+                    const std::uint32_t rest =
+                        field.add(field.multiply(c, y[i]), field.multiply(p - 2, y[i + 1]));
+                    EXPECT_EQ(mixture[i], field.subtract(rest, x[i])) << base::name(unit) << ", p = " << p;
+                }
                 rows.multiply(product.data(), y.data(), n, p);
                 for (std::size_t i = 0; i < n; ++i) {
                     EXPECT_EQ(sum[i], field.add(x[i], y[i])) << base::name(unit) << ", p = " << p;
