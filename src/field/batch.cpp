@@ -35,19 +35,22 @@ void evaluate_batch(base::VectorUnit unit, const CompiledPolynomial& f, const Re
                                        jets.hessian[0], jets.hessian[1],  jets.hessian[2],  jets.hessian[3],
                                        jets.hessian[4], jets.hessian[5]};
     BatchArrays<Real> arrays{};
-    for (std::size_t level = 0; level < 3; ++level)
-        arrays.point[level] = columns[data.view.coordinates[level]].data();
-    for (std::size_t k = 0; k < jet_size; ++k) arrays.jet[k] = results[data.view.components[k]].data();
+    const ProgramView& program = data.program_view;
+    const SchemeView& scheme = program.leaves[0].scheme;
+    for (std::size_t i = 0; i < 3; ++i)
+        arrays.point[i] = columns[program.is_plain() ? scheme.coordinates[i] : i].data();
+    for (std::size_t k = 0; k < jet_size; ++k)
+        arrays.jet[k] = results[program.is_plain() ? scheme.components[k] : k].data();
     const std::size_t count = points.x.size();
     switch (unit) {
 #if defined(__x86_64__)
     case base::VectorUnit::avx512:
-        return batch_avx512(data.view, coefficients, arrays, count);
+        return batch_avx512(program, coefficients, arrays, count);
     case base::VectorUnit::avx2:
-        return batch_avx2(data.view, coefficients, arrays, count);
+        return batch_avx2(program, coefficients, arrays, count);
 #endif
     default: // on arm64 the portable kernel's vectors are those of NEON
-        return batch_portable(data.view, coefficients, arrays, count);
+        return batch_portable(program, coefficients, arrays, count);
     }
 }
 
@@ -55,12 +58,12 @@ void evaluate_batch(base::VectorUnit unit, const CompiledPolynomial& f, const Re
 
 void evaluate_with(base::VectorUnit unit, const CompiledPolynomial& f, const PointArrays<double>& points,
                    const JetArrays<double>& jets) {
-    evaluate_batch(unit, f, f.data().coefficients.data(), points, jets);
+    evaluate_batch(unit, f, f.data().program.coefficients.data(), points, jets);
 }
 
 void evaluate_with(base::VectorUnit unit, const CompiledPolynomial& f, const PointArrays<float>& points,
                    const JetArrays<float>& jets) {
-    evaluate_batch(unit, f, f.data().floats.data(), points, jets);
+    evaluate_batch(unit, f, f.data().program.floats.data(), points, jets);
 }
 
 void CompiledPolynomial::evaluate(const PointArrays<double>& points, const JetArrays<double>& jets) const {

@@ -38,14 +38,14 @@ struct Floats {
 
 } // namespace
 
-void batch_avx512(const SchemeView& scheme, const double* coefficients, const BatchArrays<double>& arrays,
+void batch_avx512(const ProgramView& program, const double* coefficients, const BatchArrays<double>& arrays,
                   unsigned long count) {
-    BatchKernel<Doubles>::run(scheme, coefficients, arrays, count);
+    BatchKernel<Doubles>::run(program, coefficients, arrays, count);
 }
 
-void batch_avx512(const SchemeView& scheme, const float* coefficients, const BatchArrays<float>& arrays,
+void batch_avx512(const ProgramView& program, const float* coefficients, const BatchArrays<float>& arrays,
                   unsigned long count) {
-    BatchKernel<Floats>::run(scheme, coefficients, arrays, count);
+    BatchKernel<Floats>::run(program, coefficients, arrays, count);
 }
 
 } // namespace eliminant::field

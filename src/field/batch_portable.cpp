@@ -30,14 +30,14 @@ struct PortableArithmetic {
 
 } // namespace
 
-void batch_portable(const SchemeView& scheme, const double* coefficients, const BatchArrays<double>& arrays,
+void batch_portable(const ProgramView& program, const double* coefficients, const BatchArrays<double>& arrays,
                     unsigned long count) {
-    BatchKernel<PortableArithmetic<double>>::run(scheme, coefficients, arrays, count);
+    BatchKernel<PortableArithmetic<double>>::run(program, coefficients, arrays, count);
 }
 
-void batch_portable(const SchemeView& scheme, const float* coefficients, const BatchArrays<float>& arrays,
+void batch_portable(const ProgramView& program, const float* coefficients, const BatchArrays<float>& arrays,
                     unsigned long count) {
-    BatchKernel<PortableArithmetic<float>>::run(scheme, coefficients, arrays, count);
+    BatchKernel<PortableArithmetic<float>>::run(program, coefficients, arrays, count);
 }
 
 } // namespace eliminant::field

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "eliminant/algebra/polynomial.hpp"
+#include "eliminant/field/evaluation_scheme.hpp"
 
 #include "field/double_double.hpp"
+#include "field/jet_program.hpp"
 #include "field/nested_scheme.hpp"
 #include "field/wide_float.hpp"
 
@@ -26,8 +28,13 @@ struct CompiledData {
 
     algebra::Polynomial exact; ///< in a ring x, y, z
     int degree = -1;
-    NestedScheme scheme;
-    SchemeView view{}; ///< of `scheme`
+    NestedScheme scheme; ///< of the expanded polynomial, for more precise numbers than doubles
+    SchemeView view{};   ///< of `scheme`
+
+    // What doubles and floats evaluate.
+    JetProgram program;
+    ProgramView program_view{};
+    std::vector<EvaluationScheme> schemes; ///< that of `program` first, then the others by expected cost
 
     // By slot of the scheme, of f·2^−scale_exponent.
     int scale_exponent = 0;
@@ -36,7 +43,6 @@ struct CompiledData {
     std::vector<DoubleDouble> double_doubles;
     WideCoefficients wide;
     int scale_exponent_float = 0;
-    std::vector<float> floats;
 
     /// majorant[j] ≥ Σ |c| over the terms of degree j: with r = max(|x|, |y|, |z|), the polynomial M of these
     /// coefficients bounds |f| by M(r), the sum of the absolute first derivatives by M'(r), that of all nine

@@ -29,9 +29,11 @@ double identity(double value) { return value; }
 
 /// Value and two derivatives by the fast scheme, with their errors.
 void set_jet_in_double(LocalForms<double>& forms, const CompiledPolynomial& f, const glm::dvec3& point) {
-    double jet[jet_size];
-    NestedHorner<PointArithmetic<double>>::jet(f.data().view, f.data().coefficients.data(), &point.x, jet);
-    set_jet(forms, jet, identity);
+    const Jet jet = f.jet(point);
+    const SymmetricMatrix& h = jet.hessian;
+    const double components[jet_size] = {jet.value, jet.gradient.x, jet.gradient.y, jet.gradient.z, h.xx,
+                                         h.xy,      h.xz,           h.yy,           h.yz,           h.zz};
+    set_jet(forms, components, identity);
     const JetError error = f.error_bound(point);
     forms.errors[0] = error.value;
     if (forms.size() > 1) forms.errors[1] = error.gradient;

@@ -43,6 +43,8 @@ struct SchemeView {
         components[jet_size]; ///< JetComponent of f; f_u, f_v, f_w; f_uu, f_uv, f_uw, f_vv, f_vw, f_ww
 };
 
+/// All is inlined in each kernel: a call would pass ten registers through memory, which takes as long as a
+/// polynomial of degree 2.
 template <class A>
 class NestedHorner {
   public:
@@ -52,8 +54,9 @@ class NestedHorner {
     /// Value and derivatives where the coordinates of levels 0, 1, 2 are p, q, r: `store(k, pack)` is called
     /// once for each k, which stands for the JetComponent scheme.components[k].
     template <class Store>
-    static void for_each_of_jet(const SchemeView& scheme, const Scalar* coefficients, const Pack& p,
-                                const Pack& q, const Pack& r, const Store& store) {
+    [[gnu::always_inline]] static void for_each_of_jet(const SchemeView& scheme, const Scalar* coefficients,
+                                                       const Pack& p, const Pack& q, const Pack& r,
+                                                       const Store& store) {
         const Letter u = letter(scheme.powers[0], p);
         const Letter v = letter(scheme.powers[1], q);
         const Letter w = letter(scheme.powers[2], r);
@@ -123,7 +126,7 @@ class NestedHorner {
         return result;
     }
 
-    static Letter letter(std::uint32_t g, const Pack& x) {
+    [[gnu::always_inline]] static Letter letter(std::uint32_t g, const Pack& x) {
         if (g == 1) return {x, A::zero(), A::zero()};
         if (g == 2) return {A::multiply(x, x), A::add(x, x), A::broadcast(Scalar(2))};
         Pack below = x; // x^(g−2)
@@ -134,7 +137,7 @@ class NestedHorner {
     }
 
     /// Of count coefficients in descending powers of w, or of another letter.
-    static LineSum line_sum(const Scalar* c, std::uint32_t count, const Pack& w) {
+    [[gnu::always_inline]] static LineSum line_sum(const Scalar* c, std::uint32_t count, const Pack& w) {
         if (count == 0) return {A::zero(), A::zero(), A::zero()};
         LineSum sum{A::broadcast(c[0]), A::zero(), A::zero()};
         if (count == 1) return sum;
@@ -153,8 +156,8 @@ class NestedHorner {
     }
 
     /// Of a row in which v or w occurs.
-    static RowSum row_sum(const SchemeView& scheme, const SchemeRow& row, const Scalar* coefficients,
-                          const Pack& v, const Pack& w) {
+    [[gnu::always_inline]] static RowSum row_sum(const SchemeView& scheme, const SchemeRow& row,
+                                                 const Scalar* coefficients, const Pack& v, const Pack& w) {
         const SchemeLine* lines = scheme.lines + row.first;
         const Pack zero = A::zero();
         RowSum sum{zero, zero, zero, zero, zero, zero};
@@ -183,8 +186,8 @@ class NestedHorner {
         return sum;
     }
 
-    static Sum polynomial(const SchemeView& scheme, const Scalar* coefficients, const Pack& u, const Pack& v,
-                          const Pack& w) {
+    [[gnu::always_inline]] static Sum polynomial(const SchemeView& scheme, const Scalar* coefficients,
+                                                 const Pack& u, const Pack& v, const Pack& w) {
         const Pack zero = A::zero();
         Sum sum{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
         const SchemeRow* r = scheme.rows;
@@ -228,7 +231,7 @@ class NestedHorner {
     }
 
     /// Horner's step for derivatives in u, before that of what they are derivatives of.
-    static void step_derivatives(Sum& sum, const SchemeRow& row, const Pack& u) {
+    [[gnu::always_inline]] static void step_derivatives(Sum& sum, const SchemeRow& row, const Pack& u) {
         sum.uu = A::multiply_add(sum.uu, u, sum.u);
         sum.u = A::multiply_add(sum.u, u, sum.f);
         if (row.v_before) sum.uv = A::multiply_add(sum.uv, u, sum.v);
@@ -250,8 +253,8 @@ class NestedHorner {
     }
 
     /// From derivatives in u, v, w to those in coordinates of which they are powers.
-    static void apply_chain_rule(const SchemeView& scheme, Sum& sum, const Letter& u, const Letter& v,
-                                 const Letter& w) {
+    [[gnu::always_inline]] static void apply_chain_rule(const SchemeView& scheme, Sum& sum, const Letter& u,
+                                                        const Letter& v, const Letter& w) {
         pure(scheme.powers[0], u, sum.u, sum.uu);
         pure(scheme.powers[1], v, sum.v, sum.vv);
         pure(scheme.powers[2], w, sum.w, sum.ww);

@@ -4,6 +4,8 @@
 
 #include "eliminant/algebra/polynomial.hpp"
 #include "eliminant/base/run.hpp"
+#include "eliminant/base/source_text.hpp"
+#include "eliminant/field/evaluation_scheme.hpp"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -13,6 +15,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <utility>
 
 namespace eliminant::field {
 
@@ -75,6 +78,12 @@ struct Region {
     mpq_class scale = 1;
 };
 
+/// A box with sides along the axes.
+struct Box {
+    glm::dvec3 lower{0};
+    glm::dvec3 upper{0};
+};
+
 struct CompiledData;
 
 /// A polynomial f over ℚ in at most three variables x, y, z as a scheme of multiplications and additions: an
@@ -84,9 +93,12 @@ struct CompiledData;
 /// would overflow: f is then multiplied by a power of two, see scale_exponent(). Surfaces, signs and
 /// distances do not depend on it.
 ///
-/// Evaluation is Horner's scheme in three variables with first and second derivatives, in the sequence of
-/// coordinates that takes the fewest operations. Numbers differ by rounding between one point and batches,
-/// and between processors; error_bound() holds for all of them.
+/// How it is evaluated is chosen here, by the operations that value, gradient and Hessian take and by the
+/// digits that rounding leaves: Horner's scheme in three variables or common powers of them, in the best
+/// sequence; the same in coordinates from the center of a box; or sums, products and powers of such parts, as
+/// the text has them or as they are found (contents and multiple factors). schemes() tells.
+/// Numbers differ by rounding between one point and batches, and between processors; error_bound() holds for
+/// all of them.
 class CompiledPolynomial {
   public:
     static constexpr std::int64_t max_degree = 1000; ///< Total degree.
@@ -102,6 +114,13 @@ class CompiledPolynomial {
     /// digits to cancellation. Points and derivatives are then in q.
     /// \throws the same; DomainError if the scale is 0; Stopped
     CompiledPolynomial(const algebra::Polynomial& f, const Region& region, base::Run& run);
+    /// f for points of a box, or near it: its expansion at the center, computed exactly and rounded once, is
+    /// used if that saves digits or operations. Points and derivatives are in the coordinates of f.
+    /// \throws the same; DomainError unless the box is finite with lower ≤ upper
+    CompiledPolynomial(const algebra::Polynomial& f, const Box& box, base::Run& run);
+    /// The polynomial in x, y, z that a text denotes, f − g for an equation f = g, of which sums, products
+    /// and powers are kept as written where that is faster. \throws the same; ParseError
+    static CompiledPolynomial of_formula(const base::SourceText& text, base::Run& run);
 
     int degree() const; ///< Total degree; −1 for 0.
     bool is_zero() const { return degree() < 0; }
@@ -110,6 +129,9 @@ class CompiledPolynomial {
     /// Values and derivatives are those of f·2^−scale_exponent(); 0 unless f has extreme coefficients.
     int scale_exponent() const;
     int scale_exponent_float() const; ///< The same for batches of floats.
+
+    /// The scheme that is used, and then the others that were considered, by expected cost.
+    std::span<const EvaluationScheme> schemes() const;
 
     /// Any point; what overflows is infinite or NaN.
     double value(const glm::dvec3& point) const;
@@ -120,6 +142,9 @@ class CompiledPolynomial {
     /// A closer bound, at about the cost of the jet: γₙ Σ |c| |x|^i |y|^j |z|^k and its derivatives (Higham
     /// 2002, §5.1).
     JetError close_error_bound(const glm::dvec3& point) const;
+    /// A bound for what batches of floats err, of the numbers f·2^−scale_exponent_float(), at a point of
+    /// floats; infinite where they may overflow.
+    JetError error_bound_float(const glm::dvec3& point) const;
 
     /// All points of a batch, in vector registers. Much faster than one by one from about ten points on.
     /// \throws DomainError if the spans differ in length
@@ -138,6 +163,8 @@ class CompiledPolynomial {
     const CompiledData& data() const { return *data_; }
 
   private:
+    explicit CompiledPolynomial(std::shared_ptr<const CompiledData> data) : data_(std::move(data)) {}
+
     std::shared_ptr<const CompiledData> data_;
 };
 
