@@ -54,7 +54,7 @@ GroebnerBasis over_rationals(const Ring& ring, std::span<const Polynomial> gener
         return result;
     }
     if (has_all_leading_monomials(images.trace(), generators, run) &&
-        lies_in_ideal_of_generators(images.trace(), images.lifted_elements(), images.primes(), run))
+        lies_in_ideal_of_generators(images.trace(), images.take_elements(), images.primes(), run))
         return result;
     return proved_by_reductions(ring, std::move(result), generators, options, run);
 }

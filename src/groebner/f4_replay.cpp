@@ -41,7 +41,9 @@ class PackReplay {
   private:
     std::vector<std::uint32_t> residues_of_elements(std::size_t lane) const {
         std::vector<std::uint32_t> result;
-        for (std::size_t i = trace_.generators().size(); i < operands_.size(); ++i) {
+        const std::size_t generators = trace_.generators().size();
+        for (std::size_t i = generators; i < operands_.size(); ++i) {
+            if (trace_.is_copy(i - generators)) continue;
             for (const LaneEntry& c : operands_[i]) result.push_back(c.lane[lane]);
         }
         return result;

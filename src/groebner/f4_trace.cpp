@@ -28,7 +28,37 @@ std::optional<F4Trace> F4Trace::learn(const algebra::Ring& ring, std::span<const
     }
     trace.basis_ = F4Computation(trace.ring_, images, options, run, &trace.rounds_).run();
     for (const Polynomial& f : trace.basis_.elements) trace.coefficient_count_ += f.size();
+    trace.number_elements();
     return trace;
+}
+
+void F4Trace::number_elements() {
+    for (const F4Round& round : rounds_) {
+        std::vector<std::size_t> row_with_lead(round.column_count, 0);
+        for (std::size_t i = 0; i < round.rows.size(); ++i) row_with_lead[round.leads[i]] = i;
+        for (std::size_t i = 0; i < round.found_count(); ++i) {
+            const std::span<const std::uint32_t> support(round.support.data() + round.found[i],
+                                                         round.found[i + 1] - round.found[i]);
+            const auto copied = copied_element(round, row_with_lead[support.front()], support);
+            copies_.push_back(copied.has_value());
+            element_numbers_.push_back(copied ? *copied : static_cast<std::uint32_t>(element_sizes_.size()));
+            if (!copied) element_sizes_.push_back(support.size());
+        }
+    }
+}
+
+/// The number of the element that the row is, if nothing was subtracted from it: if what was found has its
+/// columns. These are neither leading columns of pivots nor, but for the first, of elements found, so nothing
+/// is subtracted modulo other primes either.
+std::optional<std::uint32_t> F4Trace::copied_element(const F4Round& round, std::size_t row,
+                                                     std::span<const std::uint32_t> support) const {
+    const F4Round::Row& r = round.rows[row];
+    if (r.operand < generators_.size()) return std::nullopt; // not monic
+    const std::uint32_t number = element_numbers_[r.operand - generators_.size()];
+    if (element_sizes_[number] != support.size()) return std::nullopt;
+    const std::span<const std::uint32_t> columns(round.columns_of_rows.data() + r.begin, support.size());
+    if (!std::ranges::equal(columns, support)) return std::nullopt;
+    return number;
 }
 
 std::size_t F4Trace::size_in_bytes() const {

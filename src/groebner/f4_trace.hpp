@@ -40,7 +40,7 @@ class F4Trace {
     /// What an image holds.
     enum class Extent : unsigned char {
         basis,    ///< the reduced basis
-        elements, ///< all elements found by all matrices, in the sequence of the rounds
+        elements, ///< the distinct elements found by all matrices, in the sequence of the rounds
     };
 
     struct Image {
@@ -81,17 +81,30 @@ class F4Trace {
 
     /// The recorded matrices; the last one reduces the tails of the minimal basis, descending.
     const std::vector<F4Round>& rounds() const { return rounds_; }
+    /// For each element found, in sequence: its number among the distinct ones. What the last matrix finds is
+    /// mostly what was there before, term by term: a *copy*.
+    std::span<const std::uint32_t> element_numbers() const { return element_numbers_; }
+    bool is_copy(std::size_t found) const { return copies_[found]; }
+    /// Of each distinct element the number of its terms.
+    std::span<const std::size_t> element_sizes() const { return element_sizes_; }
     /// Integer coefficients of the generators, without those that are 0.
     const std::vector<std::vector<algebra::Integer>>& generators() const { return generators_; }
 
   private:
     explicit F4Trace(algebra::Ring ring) : ring_(std::move(ring)) {}
 
+    void number_elements();
+    std::optional<std::uint32_t> copied_element(const F4Round& round, std::size_t row,
+                                                std::span<const std::uint32_t> support) const;
+
     algebra::Ring ring_;
     std::vector<std::vector<algebra::Integer>> generators_;
     GroebnerBasis basis_;
     std::size_t coefficient_count_ = 0;
     std::vector<F4Round> rounds_;
+    std::vector<std::uint32_t> element_numbers_;
+    std::vector<bool> copies_;
+    std::vector<std::size_t> element_sizes_;
 };
 
 } // namespace eliminant::groebner

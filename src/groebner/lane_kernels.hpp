@@ -75,6 +75,10 @@ struct LaneKernels {
     /// others. factor.lane[lane] is 0.
     void (*subtract_lane)(const LanePrimes& primes, const LaneEntry& factor, std::size_t lane,
                           std::size_t size, LaneEntry* entries);
+    /// Of `count` numbers, given by their digits one after the other, number i by lengths[i] digits below the
+    /// primes, the lowest first: result[i] = −Σ digit·power, lane by lane, digit j with powers[j].
+    void (*sum_digits)(const LanePrimes& primes, const LaneEntry* powers, const std::uint32_t* digits,
+                       const std::uint32_t* lengths, std::size_t count, LaneEntry* result);
 };
 
 /// The kernels for a vector unit that this machine has; the portable ones where there are none of its own.

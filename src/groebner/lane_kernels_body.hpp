@@ -93,8 +93,22 @@ inline void subtract_lane(const LanePrimes& lane_primes, const LaneEntry& factor
     }
 }
 
+inline void sum_digits(const LanePrimes& lane_primes, const LaneEntry* powers, const std::uint32_t* digits,
+                       const std::uint32_t* lengths, std::size_t count, LaneEntry* result) {
+    const Primes primes(lane_primes);
+    for (std::size_t i = 0; i < count; ++i) {
+        Vector sum = zero();
+        for (std::uint32_t j = 0; j < lengths[i]; ++j) {
+            const Vector product = multiply_low_halves(load(powers[j]), load(digits[j]));
+            sum = subtract_modulo(sum, product, primes.square);
+        }
+        store(result[i], primes.reduce(sum));
+        digits += lengths[i];
+    }
+}
+
 inline constexpr LaneKernels kernels{reduce<std::uint32_t>, reduce<LaneEntry>, subtract_row, scale,
-                                     subtract_lane};
+                                     subtract_lane,         sum_digits};
 
 } // namespace
 } // namespace eliminant::groebner

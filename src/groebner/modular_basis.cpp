@@ -15,15 +15,10 @@ using algebra::Ring;
 namespace {
 
 std::vector<std::size_t> sizes_of(const F4Trace& trace, F4Trace::Extent extent) {
+    if (extent == F4Trace::Extent::elements)
+        return {trace.element_sizes().begin(), trace.element_sizes().end()};
     std::vector<std::size_t> sizes;
-    if (extent == F4Trace::Extent::basis) {
-        for (const Polynomial& f : trace.basis().elements) sizes.push_back(f.size());
-        return sizes;
-    }
-    for (const F4Round& round : trace.rounds()) {
-        for (std::size_t i = 0; i < round.found_count(); ++i)
-            sizes.push_back(round.found[i + 1] - round.found[i]);
-    }
+    for (const Polynomial& f : trace.basis().elements) sizes.push_back(f.size());
     return sizes;
 }
 
@@ -136,9 +131,10 @@ std::vector<Polynomial> ModularBasis::polynomials() const {
     std::vector<Polynomial> result;
     const std::vector<Polynomial>& learned = attempt_->trace.basis().elements;
     const auto& vectors = attempt_->lifting.vectors();
+    const auto numbers = attempt_->trace.element_numbers();
     for (std::size_t i = 0; i < learned.size(); ++i) {
         // Among all elements those of the basis come last, descending.
-        const std::size_t place = extent_ == F4Trace::Extent::basis ? i : vectors.size() - 1 - i;
+        const std::size_t place = extent_ == F4Trace::Extent::basis ? i : numbers[numbers.size() - 1 - i];
         result.push_back(with_coefficients(learned[i], ring_, vectors[place].numerators));
     }
     return result;

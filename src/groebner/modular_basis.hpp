@@ -41,10 +41,12 @@ class ModularBasis {
 
     /// The F4 computation that was repeated; after find().
     const F4Trace& trace() const { return attempt_->trace; }
-    /// With Extent::elements, all elements of the trace, in its sequence; after find().
-    std::span<const algebra::RationalLifting::Vector> lifted_elements() const {
+    /// With Extent::elements, the distinct elements of the trace, in its sequence; after find().
+    const std::vector<algebra::RationalLifting::Vector>& lifted_elements() const {
         return attempt_->lifting.vectors();
     }
+    /// The same; what they were lifted from goes too.
+    std::vector<algebra::RationalLifting::Vector> take_elements() { return attempt_->lifting.take_vectors(); }
     PrimeSequence& primes() { return primes_; }
     /// The number of primes whose images were made, those of bad ones too.
     std::size_t primes_used() const { return primes_used_; }

@@ -12,26 +12,17 @@ namespace eliminant::groebner {
 
 /// Whether the elements of a trace, lifted to ℚ, are proved to lie in the ideal of its generators.
 ///
-/// One matrix of the trace has rows uᵢ·Eₐ₍ᵢ₎, multiples of generators and earlier elements, pivots vⱼ·E_b₍ⱼ₎,
-/// multiples of earlier elements, and elements Eₖ that it found, as many as rows. For each row there are a
-/// positive integer d and integers c, e with
-///
-///     d·uᵢ·Eₐ₍ᵢ₎ = Σⱼ cⱼ·vⱼ·E_b₍ⱼ₎ + Σₖ eₖ·Eₖ.                                               (1)
-///
-/// The multipliers c/d and e/d are those of the elimination of the row; they are found modulo primes and
-/// lifted. (1) then holds modulo each of these primes. Both sides have integer coefficients, of size at most
-/// d·‖Eₐ‖ + Σ|c|·‖E_b‖ + Σ|e|·‖Eₖ‖; as soon as the product of the primes exceeds twice that, (1) holds over
-/// ℤ. This is checked with the numbers as they came out; nothing is assumed about their size.
-///
-/// The square matrix (eᵢₖ) is invertible modulo a prime, which is checked; so it is over ℚ, and the Eₖ are
-/// combinations of rows and pivots. By induction over the matrices all elements are in the ideal.
+/// One matrix of the trace has rows that are multiples of generators and earlier elements, pivots that are
+/// multiples of earlier elements, and elements that it found, as many as rows. The rows are proved to be
+/// combinations of the pivots and the found elements, and the multipliers of the latter to be an invertible
+/// matrix (see IdentityProver). So the found elements are combinations of rows and pivots, and by induction
+/// over the matrices all elements are in the ideal.
 ///
 /// \param trace the recorded computation
-/// \param elements all its elements in sequence, lifted
+/// \param elements its distinct elements in sequence, lifted
 /// \param primes new ones
 /// \param run polled, and its threads used
-bool lies_in_ideal_of_generators(const F4Trace& trace,
-                                 std::span<const algebra::RationalLifting::Vector> elements,
+bool lies_in_ideal_of_generators(const F4Trace& trace, std::vector<algebra::RationalLifting::Vector> elements,
                                  PrimeSequence& primes, base::Run& run);
 
 /// Whether the leading monomials modulo the learned prime p are known to be all those of the ideal I over ℚ

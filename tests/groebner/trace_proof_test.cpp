@@ -54,16 +54,16 @@ TEST(TraceProof, IsRefusedWhereACoefficientIsWrong) {
     ModularBasis images(system.ring, system.polynomials, {}, PrimeSequence(1), run,
                         F4Trace::Extent::elements);
     static_cast<void>(images.find());
-    const auto lifted = images.lifted_elements();
+    const std::vector<RationalLifting::Vector> lifted = images.lifted_elements();
     eliminant::testing::Random random(5);
     for (int trial = 0; trial < 20; ++trial) {
-        std::vector<RationalLifting::Vector> elements(lifted.begin(), lifted.end());
+        std::vector<RationalLifting::Vector> elements = lifted;
         auto& numerators = elements[random() % elements.size()].numerators;
         numerators[random() % numerators.size()] += Integer(1);
         EXPECT_FALSE(lies_in_ideal_of_generators(images.trace(), elements, images.primes(), run));
     }
     // A multiple of all primes so far does not help either.
-    std::vector<RationalLifting::Vector> elements(lifted.begin(), lifted.end());
+    std::vector<RationalLifting::Vector> elements = lifted;
     elements.back().numerators.back() += pow(Integer(good), 100);
     EXPECT_FALSE(lies_in_ideal_of_generators(images.trace(), elements, images.primes(), run));
 }
