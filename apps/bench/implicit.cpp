@@ -17,19 +17,20 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <iostream>
 #include <map>
 #include <optional>
 #include <random>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
 
 using eliminant::Assurance;
 using eliminant::implicitize;
-using eliminant::ImplicitizeOptions;
 using eliminant::ImplicitResult;
 using eliminant::Method;
 using eliminant::Parametrization;
@@ -96,9 +97,20 @@ class Source {
 
 using Shapes = std::map<std::string, std::string>;
 
-std::string three(const std::string& x, const std::string& y, const std::string& z) {
-    std::string text = "parameters s, t\n";
-    return text.append("x = ").append(x).append("\ny = ").append(y).append("\nz = ").append(z).append("\n");
+std::string joined(std::initializer_list<std::string_view> parts) {
+    std::string text;
+    for (const std::string_view part : parts) text.append(part);
+    return text;
+}
+
+std::string named(std::string_view kind, int number) { return joined({kind, std::to_string(number)}); }
+
+std::string curve_of(const std::string& x, const std::string& y) {
+    return joined({"x = ", x, "\ny = ", y, "\n"});
+}
+
+std::string surface_of(const std::string& x, const std::string& y, const std::string& z) {
+    return joined({"parameters s, t\nx = ", x, "\ny = ", y, "\nz = ", z, "\n"});
 }
 
 void add_curves(Shapes& shapes) {
@@ -106,22 +118,29 @@ void add_curves(Shapes& shapes) {
     for (const int d : {4, 8, 16, 24, 40}) {
         for (const int bits : {3, 30}) {
             if (d == 40 && bits == 30) continue;
-            const std::string tail = std::to_string(d) + "_" + std::to_string(bits) + "bit";
-            shapes["curve" + tail] = "x = " + source.curve(d, bits) + "\ny = " + source.curve(d, bits) + "\n";
-            const std::string w = source.curve(d, bits);
-            shapes["rational_curve" + tail] = std::string("x = ") + source.curve(d, bits) + "/" + w +
-                                              "\ny = " + source.curve(d, bits) + "/" + w + "\n";
+            const std::string tail = joined({std::to_string(d), "_", std::to_string(bits), "bit"});
+            const auto form = [&] { return source.curve(d, bits); };
+            const std::string w = form();
+            shapes["curve" + tail] = curve_of(form(), form());
+            shapes["rational_curve" + tail] = curve_of(joined({form(), "/", w}), joined({form(), "/", w}));
         }
     }
     for (const int d : {5, 20, 60}) {
         const std::string u = source.curve(d, 4);
-        shapes["circle_of_degree" + std::to_string(d)] =
-            "x = (1-" + u + "^2)/(1+" + u + "^2)\ny = 2*" + u + "/(1+" + u + "^2)\n";
-        shapes["graph_curve" + std::to_string(d)] = "x = t\ny = " + source.curve(d, 6) + "\n";
+        shapes[named("circle_of_degree", d)] =
+            curve_of(joined({"(1-", u, "^2)/(1+", u, "^2)"}), joined({"2*", u, "/(1+", u, "^2)"}));
+        shapes[named("graph_curve", d)] = curve_of("t", source.curve(d, 6));
     }
-    shapes["sparse_curve"] = "x = t^37+t\ny = t^101+t^3\n";
-    shapes["monomial_curve"] = "x = t^37\ny = t^101\n";
-    shapes["lopsided_curve"] = "x = " + source.curve(3, 10) + "\ny = " + source.curve(40, 4) + "\n";
+    shapes["sparse_curve"] = curve_of("t^37+t", "t^101+t^3");
+    shapes["monomial_curve"] = curve_of("t^37", "t^101");
+    shapes["lopsided_curve"] = curve_of(source.curve(3, 10), source.curve(40, 4));
+}
+
+template <class Form>
+std::string rational_surface(const Form& form) {
+    const std::string w = form();
+    const auto quotient = [&] { return joined({form(), "/", w}); };
+    return surface_of(quotient(), quotient(), quotient());
 }
 
 void add_surfaces(Shapes& shapes) {
@@ -129,43 +148,36 @@ void add_surfaces(Shapes& shapes) {
     for (const auto& [m, n] : {std::pair{1, 1}, {1, 2}, {2, 2}, {2, 3}, {3, 3}, {1, 6}}) {
         for (const int bits : {3, 20}) {
             const std::string tail =
-                std::to_string(m) + std::to_string(n) + "_" + std::to_string(bits) + "bit";
+                joined({std::to_string(m), std::to_string(n), "_", std::to_string(bits), "bit"});
             const auto form = [&, rows = m, columns = n] { return source.patch(rows, columns, bits); };
-            shapes["patch" + tail] = three(form(), form(), form());
-            if (m * n > 6) continue;
-            const std::string w = form();
-            shapes["rational_patch" + tail] = three(form() + "/" + w, form() + "/" + w, form() + "/" + w);
+            shapes["patch" + tail] = surface_of(form(), form(), form());
+            if (m * n <= 6) shapes["rational_patch" + tail] = rational_surface(form);
         }
     }
     for (const int n : {2, 3, 4, 5}) {
         const auto form = [&] { return source.triangle(n, 4); };
-        shapes["triangle" + std::to_string(n)] = three(form(), form(), form());
-        if (n > 4) continue;
-        const std::string w = form();
-        shapes["rational_triangle" + std::to_string(n)] =
-            three(form() + "/" + w, form() + "/" + w, form() + "/" + w);
+        shapes[named("triangle", n)] = surface_of(form(), form(), form());
+        if (n <= 4) shapes[named("rational_triangle", n)] = rational_surface(form);
     }
     for (const int n : {2, 4, 6}) {
         const std::string u = source.triangle(n, 3);
         const std::string v = source.triangle(n, 3);
-        const std::string w = std::string("(1+").append(u).append("^2+").append(v).append("^2)");
-        shapes["sphere_of_degree" + std::to_string(2 * n)] =
-            three("2*" + u + "/" + w, "2*" + v + "/" + w, "(" + u + "^2+" + v + "^2-1)/" + w);
-        shapes["paraboloid_of_degree" + std::to_string(n)] = three(u, v, u + "^2+3*" + v + "^2+" + u);
+        const std::string w = joined({"(1+", u, "^2+", v, "^2)"});
+        shapes[named("sphere_of_degree", 2 * n)] =
+            surface_of(joined({"2*", u, "/", w}), joined({"2*", v, "/", w}), joined({"(2-", w, ")/", w}));
+        shapes[named("paraboloid_of_degree", n)] = surface_of(u, v, joined({u, "^2+3*", v, "^2+", u}));
     }
-    for (const int n : {5, 20, 60})
-        shapes["graph" + std::to_string(n)] = three("s", "t", source.triangle(n, 5));
+    for (const int n : {5, 20, 60}) shapes[named("graph", n)] = surface_of("s", "t", source.triangle(n, 5));
     for (const int n : {4, 7, 10}) {
         const auto form = [&] { return source.sparse(n, n, 3); };
-        shapes["sparse_surface" + std::to_string(n)] = three(form(), form(), form());
+        shapes[named("sparse_surface", n)] = surface_of(form(), form(), form());
     }
-    shapes["monomial_surface"] = three("s^30*t^7", "s^5*t^30", "s^17*t^13");
-    shapes["small_monomial_surface"] = three("s^3*t^2", "s*t^4", "s^2*t");
-    shapes["symmetric_surface"] = three("s^2+t^2", "s*t*(s^2-t^2)", "s^4+t^4-s^2*t^2");
+    shapes["monomial_surface"] = surface_of("s^30*t^7", "s^5*t^30", "s^17*t^13");
+    shapes["small_monomial_surface"] = surface_of("s^3*t^2", "s*t^4", "s^2*t");
+    shapes["symmetric_surface"] = surface_of("s^2+t^2", "s*t*(s^2-t^2)", "s^4+t^4-s^2*t^2");
 }
 
 void add_others(Shapes& shapes) {
-    Source source(3);
     shapes["torus_with_constants"] =
         "constants R, r\nx = (R+r*cos(u))*cos(v)\ny = (R+r*cos(u))*sin(v)\nz = r*sin(u)\n";
     shapes["ellipse_with_constants"] = "constants a, b\nx = a*cos(u)+b\ny = b*sin(u)+a\n";

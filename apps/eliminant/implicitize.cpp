@@ -132,6 +132,7 @@ class ImplicitizeCommand : public Command {
                "\n"
                "Instead of formulas a file may hold a control net: a first line\n"
                "  bezier 3 3               degrees, one for a curve; also rational bezier, bspline, nurbs\n"
+               "  triangle 3               a triangular Bézier patch; also rational triangle\n"
                "then for bspline and nurbs a line 'knots 0 0 0 1 2 2 2' a degree, then a control point a "
                "line, those\n"
                "along the last degree first; points of rational nets and nurbs end with their weight.\n"

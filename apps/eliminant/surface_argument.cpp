@@ -31,7 +31,7 @@ std::string_view trimmed(std::string_view text) {
 enum class SurfaceText { polynomial, formulas, control_net };
 
 SurfaceText kind_of(std::string_view text) {
-    constexpr std::array<std::string_view, 4> net_words{"rational", "bezier", "bspline", "nurbs"};
+    constexpr std::array<std::string_view, 5> net_words{"rational", "bezier", "triangle", "bspline", "nurbs"};
     int equations = 0;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());

@@ -27,7 +27,8 @@ std::vector<std::size_t> nonempty_spans(const ControlNet::Direction& direction) 
 
 void check(const ControlNet& net) {
     require(net.directions.size() == 1 || net.directions.size() == 2, "there are one or two directions");
-    std::size_t points = 1;
+    require(!net.is_triangular || (net.directions.size() == 1 && !net.directions[0].is_spline()),
+            "a triangle has one degree and no knots");
     for (const ControlNet::Direction& direction : net.directions) {
         require(direction.degree > 0, "degrees are positive");
         if (direction.is_spline()) {
@@ -37,9 +38,8 @@ void check(const ControlNet& net) {
             require(std::ranges::is_sorted(direction.knots), "knots do not decrease");
             require(!nonempty_spans(direction).empty(), "all spans between knots are empty");
         }
-        points *= direction.point_count();
     }
-    require(points == net.points.size(), std::to_string(points) + " points are needed");
+    require(net.point_count() == net.points.size(), std::to_string(net.point_count()) + " points are needed");
     for (const auto& point : net.points)
         require(point.size() == net.coordinates.size() + (net.is_rational ? 1 : 0),
                 "a point has a number for each coordinate, and a weight if the net is rational");
@@ -109,6 +109,31 @@ void to_powers(Grid& grid, base::Run& run) {
     }
 }
 
+/// The same for a triangle of cells (i, j), i + j ≤ n: Σ bᵢⱼ·n!/(i! j! k!)·sⁱtʲ(1−s−t)ᵏ has the coefficients
+/// n!/(i! j! k!)·Δₛⁱ Δₜʲ b₀₀, of differences along the columns and the rows.
+void triangle_to_powers(Grid& grid, base::Run& run) {
+    const std::size_t n = grid.columns - 1;
+    for (std::size_t line = 0; line < n; ++line) {
+        run.poll();
+        for (std::size_t r = 1; line + r <= n; ++r)
+            for (std::size_t j = n - line; j >= r; --j) grid.at(line, j) -= grid.at(line, j - 1);
+    }
+    for (std::size_t line = 0; line < n; ++line) {
+        run.poll();
+        for (std::size_t r = 1; line + r <= n; ++r)
+            for (std::size_t i = n - line; i >= r; --i) grid.at(i, line) -= grid.at(i - 1, line);
+    }
+    mpz_class row_factor = 1; // n choose i
+    for (std::size_t i = 0; i <= n; ++i) {
+        mpz_class factor = row_factor; // n!/(i! j! k!)
+        for (std::size_t j = 0; i + j <= n; ++j) {
+            grid.at(i, j) *= factor;
+            factor = factor * (n - i - j) / (j + 1);
+        }
+        row_factor = row_factor * (n - i) / (i + 1);
+    }
+}
+
 /// The polynomial whose coefficient of sⁱtʲ, or for a curve sʲ, is the number in row i, column j.
 Polynomial polynomial_of(const algebra::Ring& ring, const Grid& grid) {
     algebra::PolynomialBuilder builder(ring);
@@ -128,8 +153,9 @@ Polynomial polynomial_of(const algebra::Ring& ring, const Grid& grid) {
 class Pieces {
   public:
     Pieces(const ControlNet& net, base::Run& run) : net_(net), run_(run), ring_(ring_of(net)) {
-        rows_ = net.directions.size() == 2 ? net.directions[0].point_count() : 1;
         columns_ = net.directions.back().point_count();
+        if (net.is_triangular) rows_ = columns_;
+        if (net.directions.size() == 2) rows_ = net.directions[0].point_count();
         for (std::size_t i = 0; i < net.coordinates.size() + (net.is_rational ? 1 : 0); ++i)
             grids_.push_back(grid_of(i));
     }
@@ -153,7 +179,7 @@ class Pieces {
   private:
     static algebra::Ring ring_of(const ControlNet& net) {
         std::vector<std::string> names = {"t"};
-        if (net.directions.size() == 2) names = {"s", "t"};
+        if (net.directions.size() == 2 || net.is_triangular) names = {"s", "t"};
         for (std::string& name : names)
             while (std::ranges::find(net.coordinates, name) != net.coordinates.end()) name += '_';
         return {algebra::CoefficientField::rationals(), std::move(names)};
@@ -163,17 +189,27 @@ class Pieces {
         return direction.is_spline() ? nonempty_spans(direction) : std::vector<std::size_t>(1);
     }
 
-    /// Coordinate i of all points, times the weight; i = number of coordinates is the weight.
+    /// Coordinate i of all points, times the weight; i = number of coordinates is the weight. Of a triangle
+    /// the upper left half of the grid, with zeros in the rest.
     Grid grid_of(std::size_t i) const {
-        Grid grid{rows_, columns_, {}};
-        for (const auto& point : net_.points) {
-            const bool weighted = net_.is_rational && i < net_.coordinates.size();
-            grid.cells.push_back(weighted ? mpq_class(point[i] * point.back()) : point[i]);
+        Grid grid{rows_, columns_, std::vector<mpq_class>(rows_ * columns_)};
+        auto point = net_.points.begin();
+        for (std::size_t row = 0; row < rows_; ++row) {
+            const std::size_t length = net_.is_triangular ? columns_ - row : columns_;
+            for (std::size_t column = 0; column < length; ++column, ++point) {
+                mpq_class& cell = grid.at(row, column);
+                cell = (*point)[i];
+                if (net_.is_rational && i < net_.coordinates.size()) cell *= point->back();
+            }
         }
         return grid;
     }
 
     Polynomial function(Grid grid, std::size_t first_span, std::size_t last_span) const {
+        if (net_.is_triangular) {
+            triangle_to_powers(grid, run_);
+            return polynomial_of(ring_, grid);
+        }
         if (net_.directions.back().is_spline()) grid = bezier_points(net_.directions.back(), last_span, grid);
         to_powers(grid, run_);
         if (net_.directions.size() == 2) {
@@ -206,6 +242,12 @@ class Pieces {
 };
 
 } // namespace
+
+std::size_t ControlNet::point_count() const {
+    const std::size_t last = directions.back().point_count();
+    if (is_triangular) return last * (last + 1) / 2;
+    return directions.size() == 2 ? directions.front().point_count() * last : last;
+}
 
 std::vector<NetPiece> net_pieces(const ControlNet& net, base::Run& run) {
     check(net);

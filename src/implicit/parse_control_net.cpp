@@ -4,6 +4,7 @@
 #include "implicit/text_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace eliminant::implicit {
@@ -65,7 +66,8 @@ class NetReader {
 
     void read_kind(const SourceText& line) {
         std::size_t begin = skip_blanks(line, 0);
-        if (!begins_control_net(line)) line.fail(begin, "bezier, rational bezier, bspline or nurbs");
+        if (!begins_control_net(line))
+            line.fail(begin, "bezier, triangle, rational bezier, rational triangle, bspline or nurbs");
         std::string_view word = first_word(line);
         std::size_t end = begin + word.size();
         if (word == "rational") {
@@ -73,12 +75,14 @@ class NetReader {
             begin = skip_blanks(line, end);
             end = skip_word(line, begin);
             word = line.text().substr(begin, end - begin);
-            if (word != "bezier") line.fail(begin, "bezier");
+            if (word != "bezier" && word != "triangle") line.fail(begin, "bezier or triangle");
         }
         net_.is_rational |= word == "nurbs";
-        is_spline_ = word != "bezier";
+        net_.is_triangular = word == "triangle";
+        is_spline_ = word == "bspline" || word == "nurbs";
         for (const Token& token : tokens_of(line, end)) {
-            if (net_.directions.size() == 2) line.fail(token.begin, "the end of the line");
+            if (net_.directions.size() == (net_.is_triangular ? 1 : 2))
+                line.fail(token.begin, "the end of the line");
             const mpq_class degree = algebra::parse_rational(line.section(token.begin, token.end));
             if (degree.get_den() != 1 || degree < 1 || degree > max_degree)
                 line.fail(token.begin, "a degree from 1 to " + std::to_string(max_degree));
@@ -120,8 +124,8 @@ class NetReader {
         const std::size_t begin = skip_blanks(line, 0);
         if (is_spline_ && knot_lines_ < net_.directions.size())
             line.fail(begin, knot_lines_ == 0 ? "knots" : "the knots of the second degree");
-        if (net_.points.size() == point_count())
-            line.fail(begin, "no more than " + std::to_string(point_count()) + " control points");
+        if (net_.points.size() == net_.point_count())
+            line.fail(begin, "no more than " + std::to_string(net_.point_count()) + " control points");
         std::vector<mpq_class> point = numbers_of(line, 0);
         if (net_.coordinates.empty()) name_coordinates(line, point.size());
         const std::size_t expected = net_.coordinates.size() + (net_.is_rational ? 1 : 0);
@@ -146,16 +150,10 @@ class NetReader {
         net_.coordinates.resize(numbers - weights);
     }
 
-    std::size_t point_count() const {
-        std::size_t count = 1;
-        for (const ControlNet::Direction& direction : net_.directions) count *= direction.point_count();
-        return count;
-    }
-
     void finish(const SourceText& source) const {
         if (is_spline_ && knot_lines_ < net_.directions.size()) source.fail(source.size(), "knots");
-        if (net_.points.size() < point_count())
-            source.fail(source.size(), std::to_string(point_count()) + " control points",
+        if (net_.points.size() < net_.point_count())
+            source.fail(source.size(), std::to_string(net_.point_count()) + " control points",
                         std::to_string(net_.points.size()));
     }
 
@@ -169,7 +167,8 @@ class NetReader {
 
 bool begins_control_net(const SourceText& line) {
     const std::string_view word = first_word(line);
-    if (word != "bezier" && word != "rational" && word != "bspline" && word != "nurbs") return false;
+    constexpr std::array<std::string_view, 5> kinds = {"bezier", "triangle", "rational", "bspline", "nurbs"};
+    if (std::ranges::find(kinds, word) == kinds.end()) return false;
     // A coordinate may have that name.
     const std::size_t next = skip_blanks(line, skip_blanks(line, 0) + word.size());
     return next == line.size() || line.text()[next] != '=';

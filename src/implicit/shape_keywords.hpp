@@ -5,8 +5,8 @@
 
 namespace eliminant::implicit {
 
-/// Whether a line is the first one of a control net: `bezier`, `rational`, `bspline` or `nurbs`, and not the
-/// equation of a coordinate with such a name.
+/// Whether a line is the first one of a control net: `bezier`, `triangle`, `rational`, `bspline` or `nurbs`,
+/// and not the equation of a coordinate with such a name.
 bool begins_control_net(const base::SourceText& line);
 
 } // namespace eliminant::implicit

@@ -156,6 +156,70 @@ TEST(ControlNet, AWeightedArcIsACircle) {
     EXPECT_EQ(equations_of("bezier 1 1\ncoordinates s, t, z\n0 0 0\n1 0 0\n0 1 0\n1 1 1"), "s*t-z");
 }
 
+/// The point of a triangular net at (s, t), by de Casteljau's algorithm.
+std::vector<mpq_class> point_of_triangle(const ControlNet& net, const mpq_class& s, const mpq_class& t) {
+    std::size_t n = net.directions[0].degree;
+    const auto index = [&n](std::size_t i, std::size_t j) { return i * (n + 1) - i * (i - 1) / 2 + j; };
+    std::vector<std::vector<mpq_class>> points = net.points;
+    for (auto& point : points)
+        for (std::size_t c = 0; net.is_rational && c < net.coordinates.size(); ++c) point[c] *= point.back();
+    for (; n > 0; --n) {
+        std::vector<std::vector<mpq_class>> next;
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; i + j < n; ++j) {
+                next.push_back(points[index(i, j)]);
+                for (std::size_t c = 0; c < next.back().size(); ++c)
+                    next.back()[c] = (1 - s - t) * points[index(i, j)][c] + s * points[index(i + 1, j)][c] +
+                                     t * points[index(i, j + 1)][c];
+            }
+        }
+        points = std::move(next);
+    }
+    if (net.is_rational)
+        for (std::size_t c = 0; c < net.coordinates.size(); ++c) points[0][c] /= points[0].back();
+    points[0].resize(net.coordinates.size());
+    return points[0];
+}
+
+TEST(ControlNet, TrianglesAreWhatDeCasteljausAlgorithmMakesOfThem) {
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937_64 random(seed);
+        ControlNet net;
+        net.directions = {{1 + seed % 5}};
+        net.coordinates = {"x", "y", "z"};
+        net.is_triangular = true;
+        net.is_rational = seed % 2 == 0;
+        for (std::size_t i = 0; i < net.point_count(); ++i) {
+            std::vector<mpq_class> point;
+            for (int j = 0; j < 3; ++j) point.emplace_back(static_cast<int>(random() % 19) - 9);
+            if (net.is_rational) point.emplace_back(1 + static_cast<int>(random() % 5));
+            net.points.push_back(std::move(point));
+        }
+        const std::vector<NetPiece> pieces = pieces_of(net);
+        ASSERT_EQ(pieces.size(), 1U);
+        EXPECT_TRUE(pieces[0].span.empty());
+        for (const mpq_class& s : {mpq_class(0), mpq_class(1, 3), mpq_class(5, 7), mpq_class(1)}) {
+            const mpq_class t = (1 - s) / 3;
+            const std::vector<mpq_class> expected = point_of_triangle(net, s, t);
+            const std::vector<mpq_class> local = {s, t};
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto& value = pieces[0].parametrization.coordinates()[i].value;
+                EXPECT_EQ(evaluate(value.numerator, local) / evaluate(value.denominator, local), expected[i]);
+            }
+        }
+    }
+}
+
+TEST(ControlNet, TrianglesHaveEquations) {
+    EXPECT_EQ(equations_of("triangle 1\n1 0 0\n0 1 0\n0 0 1\n"), "x+y+z-1");
+    EXPECT_EQ(equations_of("triangle 2\n0 0 0\n0 1/2 0\n0 1 0\n1/2 0 0\n1/2 1/2 1/2\n1 0 0\n"), "x*y-z");
+    EXPECT_EQ(equations_of("rational triangle 2 # the sphere from its south pole\n0 0 1 1\n0 1 1 1\n0 1 0 2\n"
+                           "1 0 1 1\n1 1 1 1\n1 0 0 2\n"),
+              "x^2+y^2+z^2-1");
+    EXPECT_EQ(equations_of("triangle = t\ny = t^2"), "triangle^2-y");
+}
+
 TEST(ControlNet, ReadsKnots) {
     const ControlNet net =
         net_of("nurbs 2 1\nknots 0 0 0 1/2 1 1 1\nknots -1, -1, 2.5, 2.5\n0 0 0 1\n0 1 0 1\n"
@@ -180,8 +244,18 @@ void expect_error(const std::string& text, const std::string& message) {
 
 TEST(ControlNet, ErrorsNameThePlace) {
     expect_error("", "1:1: expected a control net, as bezier 3 3, found end of text");
-    expect_error("spline 3\n", "1:1: expected bezier, rational bezier, bspline or nurbs, found 'spline'");
-    expect_error("rational 3\n", "1:10: expected bezier, found '3'");
+    expect_error(
+        "spline 3\n",
+        "1:1: expected bezier, triangle, rational bezier, rational triangle, bspline or nurbs, found "
+        "'spline'");
+    expect_error("rational 3\n", "1:10: expected bezier or triangle, found '3'");
+    expect_error("triangle\n", "1:9: expected a degree, found end of line");
+    expect_error("triangle 2 2\n", "1:12: expected the end of the line, found '2'");
+    expect_error("triangle 1\n0 0\n1 1\n", "4:1: expected 3 control points, found 2");
+    expect_error("triangle 1\n0 0\n1 1\n0 1\n2 2\n",
+                 "5:1: expected no more than 3 control points, found '2'");
+    expect_error("triangle 1\nknots 0 1\n",
+                 "2:1: expected a control point: a Bézier net has no knots, found 'knots'");
     expect_error("bezier\n", "1:7: expected a degree, found end of line");
     expect_error("bezier 2 2 2\n", "1:12: expected the end of the line, found '2'");
     expect_error("bezier 0\n", "1:8: expected a degree from 1 to 10000, found '0'");
@@ -216,6 +290,11 @@ TEST(ControlNet, NetsThatDoNotFitAreDomainErrors) {
     };
     EXPECT_EQ(pieces_of(good).size(), 1U);
     expect_refusal([](ControlNet& net) { net.directions.clear(); });
+    expect_refusal([](ControlNet& net) { net.is_triangular = true; });
+    expect_refusal([](ControlNet& net) {
+        net.is_triangular = true;
+        net.directions.push_back(net.directions[0]);
+    });
     expect_refusal([](ControlNet& net) { net.directions[0].degree = 0; });
     expect_refusal([](ControlNet& net) { net.points.pop_back(); });
     expect_refusal([](ControlNet& net) { net.points[0].pop_back(); });
