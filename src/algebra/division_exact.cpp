@@ -1,5 +1,6 @@
 #include "division.hpp"
 
+#include "division_dense.hpp"
 #include "division_kernel.hpp"
 #include "multiply_keys.hpp"
 #include "multiply_plan.hpp"
@@ -81,27 +82,55 @@ class ExactDivision {
           result_(*a.layout) {}
 
     template <class Key>
-    DivisionOutcome compute(std::optional<unsigned> window_bits) {
+    DivisionOutcome compute(const ExactDivisionOptions& options) {
         const OperandValues<Sums> divisor_values(b_.coefficients);
         const KeyedTerms<Key, Element> a{keys_of<Key>(a_, frame_.dividend), a_.coefficients};
         const KeyedTerms<Key, typename Sums::Operand> b{keys_of<Key>(b_, frame_.divisor), divisor_values};
-        const unsigned bits = window_bits
-                                  ? *window_bits
+        const unsigned bits = options.window_bits
+                                  ? *options.window_bits
                                   : choose_division_window(count_windows(a.keys), count_windows(b.keys),
                                                            sizeof(typename Sums::Cell));
         KeyDecoder decoder(line_);
-        const MonomialLayout& layout = *result_.layout;
-        std::vector<MonomialLayout::Word> q(layout.words());
+        std::vector<MonomialLayout::Word> q(result_.layout->words());
         const auto find_term = [&](const Key& key, const Element& value, Element& coefficient) {
             decode_key(decoder, key, q.data());
-            if (!layout.divides(b_.monomial(0), q.data())) return DivisionOutcome::inexact;
-            layout.divide(q.data(), b_.monomial(0), q.data());
-            if (!frame_.holds(layout, q.data())) return DivisionOutcome::inexact;
+            if (!divide_by_leading(q)) return DivisionOutcome::inexact;
             const DivisionOutcome outcome = quotient_(value, coefficient);
             if (outcome == DivisionOutcome::exact) result_.push_back(q.data(), coefficient);
             return outcome;
         };
+        if constexpr (std::same_as<Key, std::uint64_t> && std::same_as<Sums, ResidueSums>) {
+            if (may_be_dense(options, a.keys, b.keys))
+                return divide_dense(a, b, sums_.field, run_, find_term);
+        }
         return divide_by_window(a, b, bits, sums_, run_, find_term);
+    }
+
+    /// By integers, if that is expected to be faster, or else with outcome overflow.
+    DivisionOutcome compute_by_kronecker(const ExactDivisionOptions& options, const CoefficientSize& size_a,
+                                         const CoefficientSize& size_b) {
+        const KeyedTerms<std::uint64_t, Integer> a{keys_of<std::uint64_t>(a_, frame_.dividend),
+                                                   a_.coefficients};
+        const KeyedTerms<std::uint64_t, Integer> b{keys_of<std::uint64_t>(b_, frame_.divisor),
+                                                   b_.coefficients};
+        // Room for a quotient with coefficients as large as those of the dividend.
+        const std::size_t slot_bits = size_a.max_bits + size_b.sum_bits + 2;
+        if (!may_be_dense(options, a.keys, b.keys)) return DivisionOutcome::overflow;
+        const std::uint64_t last = a.keys.front() - b.keys.front();
+        const double products = static_cast<double>(last + 1) * static_cast<double>(b.size());
+        // A division takes GMP about as long as three products.
+        if (options.kernel == QuotientKernel::automatic &&
+            3 * kronecker_cost(last, b.keys.front(), a.size(), slot_bits) > products)
+            return DivisionOutcome::overflow;
+        KeyDecoder decoder(line_);
+        std::vector<MonomialLayout::Word> q(result_.layout->words());
+        return divide_by_kronecker(a, b, size_b, slot_bits, run_,
+                                   [&](std::uint64_t key, Integer&& coefficient) {
+                                       decode_key(decoder, key + b.keys.front(), q.data());
+                                       if (!divide_by_leading(q)) return false;
+                                       result_.push_back(q.data(), std::move(coefficient));
+                                       return true;
+                                   });
     }
     Terms& result() { return result_; }
 
@@ -109,6 +138,22 @@ class ExactDivision {
     template <class Key>
     std::vector<Key> keys_of(const Terms& terms, const std::vector<FieldSpan>& spans) const {
         return as_keys<Key>(line_.encode(*terms.layout, terms.monomials, spans), line_.words());
+    }
+
+    /// Makes a monomial of a − q·b that of a quotient's term; false if there is no such term.
+    bool divide_by_leading(std::vector<MonomialLayout::Word>& monomial) const {
+        const MonomialLayout& layout = *result_.layout;
+        if (!layout.divides(b_.monomial(0), monomial.data())) return false;
+        layout.divide(monomial.data(), b_.monomial(0), monomial.data());
+        return frame_.holds(layout, monomial.data());
+    }
+    static bool may_be_dense(const ExactDivisionOptions& options, const std::vector<std::uint64_t>& a,
+                             const std::vector<std::uint64_t>& b) {
+        constexpr std::uint64_t forced_limit = 1 << 16;
+        if (options.kernel == QuotientKernel::dense)
+            return a.front() < forced_limit && a.front() >= b.front();
+        return options.kernel == QuotientKernel::automatic && a.front() >= b.front() && is_dense(a) &&
+               is_dense(b);
     }
 
     const Terms& a_;
@@ -127,9 +172,8 @@ divide_with(const TermList<typename Sums::Element>& a, const TermList<typename S
             const Frame& frame, const KeyLine& line, const Sums& sums, const Quotient& quotient,
             const ExactDivisionOptions& options, base::Run& run, TermList<typename Sums::Element>& result) {
     ExactDivision division(a, b, frame, line, sums, quotient, run);
-    const DivisionOutcome outcome = line.words() == 1
-                                        ? division.template compute<std::uint64_t>(options.window_bits)
-                                        : division.template compute<base::UInt128>(options.window_bits);
+    const DivisionOutcome outcome = line.words() == 1 ? division.template compute<std::uint64_t>(options)
+                                                      : division.template compute<base::UInt128>(options);
     result = std::move(division.result());
     return outcome;
 }
@@ -159,7 +203,16 @@ DivisionOutcome divide_terms(const IntegerTerms& a, const IntegerTerms& b, const
         }
         return divide_with(a, b, frame, line, sums, quotient, options, run, result);
     };
-    DivisionOutcome outcome = attempt(WordSums<base::Int128>{});
+    DivisionOutcome outcome = DivisionOutcome::overflow;
+    constexpr std::size_t fewest_products = 1 << 12; // below, the attempt costs more than it may save
+    if (line.words() == 1 &&
+        (options.kernel == QuotientKernel::dense || a.size() * b.size() >= fewest_products)) {
+        const IntegerQuotient unused{b.coefficients.front(), 0};
+        ExactDivision division(a, b, frame, line, IntegerSums{}, unused, run);
+        outcome = division.compute_by_kronecker(options, size_a, size_b);
+        result = std::move(division.result());
+    }
+    if (outcome == DivisionOutcome::overflow) outcome = attempt(WordSums<base::Int128>{});
     if (outcome == DivisionOutcome::overflow) outcome = attempt(TripleSums{});
     if (outcome == DivisionOutcome::overflow) outcome = attempt(IntegerSums{});
     return outcome;

@@ -98,6 +98,14 @@ SlotInteger SlotInteger::pack(std::span<const std::uint64_t> keys, std::span<con
         keys, coefficients, slot_bits, [](const Integer& c) { return c.sign() < 0; }, write);
 }
 
+std::optional<SlotInteger> SlotInteger::exact_quotient(const SlotInteger& divisor) const {
+    mpz_class quotient;
+    mpz_class rest;
+    mpz_tdiv_qr(quotient.get_mpz_t(), rest.get_mpz_t(), value_.get_mpz_t(), divisor.value_.get_mpz_t());
+    if (rest != 0) return std::nullopt;
+    return SlotInteger(std::move(quotient), slot_bits_);
+}
+
 base::Int128 SlotInteger::word(std::uint64_t k) const {
     mpz_srcptr z = value_.get_mpz_t();
     const std::size_t bit = static_cast<std::size_t>(k) * slot_bits_;

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -37,6 +38,8 @@ class SlotInteger {
     friend SlotInteger operator*(const SlotInteger& a, const SlotInteger& b) {
         return {a.value_ * b.value_, a.slot_bits_};
     }
+    /// *this / divisor, which is not 0; nullopt if that is no integer.
+    std::optional<SlotInteger> exact_quotient(const SlotInteger& divisor) const;
     /// The coefficient cₖ; requires slot_bits < 128.
     base::Int128 word(std::uint64_t k) const;
     /// The coefficient cₖ for slots of any size.

@@ -7,6 +7,7 @@
 #include <thread>
 
 using namespace eliminant;
+using eliminant::algebra::QuotientKernel;
 using eliminant::algebra::try_divide_with;
 using eliminant::test::random_nonzero;
 using eliminant::test::random_polynomial;
@@ -45,7 +46,9 @@ void expect_quotient(const Polynomial& a, const Polynomial& b, const std::option
     const auto where = [&] { return "seed " + std::to_string(seed) + ", " + a.ring().to_string(); };
     EXPECT_EQ(try_divide(a, b), expected) << where();
     for (const unsigned bits : {0U, 7U, 10U, 13U})
-        EXPECT_EQ(try_divide_with(a, b, {bits}, run), expected) << where() << ", window " << bits;
+        EXPECT_EQ(try_divide_with(a, b, {QuotientKernel::window, bits}, run), expected)
+            << where() << ", window " << bits;
+    EXPECT_EQ(try_divide_with(a, b, {QuotientKernel::dense, {}}, run), expected) << where();
 }
 
 /// (q·b)/b is q, and neighbours of q·b are divisible exactly if the textbook says so.
@@ -129,7 +132,7 @@ TEST(ExactDivision, StopsWhenTold) {
     for (const unsigned bits : {0U, 12U}) {
         base::Run run;
         run.request_stop();
-        EXPECT_THROW(static_cast<void>(try_divide_with(a, b, {bits}, run)), Stopped);
+        EXPECT_THROW(static_cast<void>(try_divide_with(a, b, {QuotientKernel::window, bits}, run)), Stopped);
     }
     base::Run run;
     run.request_stop();
