@@ -237,10 +237,12 @@ class StarKernel {
     Pack sizes_[Search::capacity + 1];
 };
 
+// NOLINTBEGIN(readability-non-const-parameter): the kernel writes to its workspace
 template <class Pack>
 void solve_stars(const StarPolynomial& f, const StarRays& rays, std::size_t first, double* workspace) {
     with_fixed_degree(
         f.degree, [&](auto n) { StarKernel<Pack, decltype(n)::value>(f, rays, first, workspace).solve(); });
 }
+// NOLINTEND(readability-non-const-parameter)
 
 } // namespace

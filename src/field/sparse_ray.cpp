@@ -94,17 +94,25 @@ class SparseRay::Restriction {
 
 namespace {
 
-/// The root of a monotone function with different signs at the ends.
+/// The root of a monotone function with different signs at the ends, the first of which is `side`.
+///
+/// By bisection where Newton's step does not gain more: next to a high power the slopes in a bracket are of
+/// all orders of magnitude.
 template <class Restriction>
-Bounds refined(Restriction& f, Bounds bracket, int& steps) {
+Bounds refined(Restriction& f, Bounds bracket, int side, int& steps) {
     for (;;) {
         ++steps;
-        const Bounds slope = f.jet(bracket).derivative;
-        if (!(slope.lower > 0x1p-100 || slope.upper < -0x1p-100)) return bracket; // a quotient may overflow
         const double middle = bracket.middle();
-        const Bounds next = intersection(bracket, Bounds{middle, middle} - f.value(middle) / slope);
-        // Also when it is empty, which rounding outward rules out.
-        if (!(next.width() < 0.9 * bracket.width()) || !(next.lower <= next.upper)) return bracket;
+        const Bounds value = f.value(middle);
+        const Bounds slope = f.jet(bracket).derivative;
+        Bounds next = bracket;
+        if (slope.lower > 0x1p-100 || slope.upper < -0x1p-100) // else a quotient may overflow
+            next = intersection(bracket, Bounds{middle, middle} - value / slope);
+        if (!(next.width() < 0.5 * bracket.width()) || !(next.lower <= next.upper)) {
+            const int sign = value.sign();
+            if (sign == 0 || !(bracket.lower < middle && middle < bracket.upper)) return bracket;
+            next = sign == side ? Bounds{middle, bracket.upper} : Bounds{bracket.lower, middle};
+        }
         bracket = next;
     }
 }
@@ -175,7 +183,7 @@ std::optional<RayRoot> SparseRay::first(const glm::dvec3& origin, const glm::dve
         const int sign_after = f.value(t.upper).sign();
         if (sign_after == 0) return std::nullopt;
         if (sign_after == root.side) continue;
-        const Bounds bracket = refined(f, t, root.steps);
+        const Bounds bracket = refined(f, t, root.side, root.steps);
         if (!(bracket.width() < 0x1p-30 * length)) return std::nullopt;
         root.kind = RayRoot::Kind::crossing;
         root.multiplicity = 1;

@@ -113,7 +113,7 @@ class AlgebraicSurface final : public Surface {
     }
     Curvature curvature(glm::dvec3 point) const override { return curvature_of(compiled_.jet(point)); }
     Ball framing_ball(base::Run& run) const override {
-        return frame(*this, center_of(f_), asymptotic_radius(f_), run);
+        return frame(*this, f_, run);
     }
 
   private:

@@ -1,6 +1,9 @@
 #include "scene/framing.hpp"
 
+#include "eliminant/algebra/evaluation.hpp"
+
 #include <glm/geometric.hpp>
+#include <gmpxx.h>
 
 #include <algorithm>
 #include <array>
@@ -8,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace eliminant::scene {
@@ -37,6 +41,94 @@ double farthest_hit(const Surface& surface, const Ball& ball, int count, base::R
                 }
             }
     return farthest;
+}
+
+/// Points of equal area on the unit sphere along a golden spiral.
+glm::dvec3 spiral(int index, int count) {
+    const double z = 1.0 - (2.0 * index + 1.0) / count;
+    const double angle = 2.399963229728653 * index;
+    const double r = std::sqrt(1.0 - z * z);
+    return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+/// Goes from a point of the sphere of a ball against the values of the function, by Newton's steps along it,
+/// until the sign is another one.
+bool reaches_other_sign(const Surface& surface, const Ball& ball, glm::dvec3 direction, bool is_positive,
+                        base::Run& run) {
+    constexpr int most_steps = 40;
+    constexpr double longest_step = 0.25;
+    for (int step = 0; step < most_steps; ++step) {
+        run.poll();
+        const glm::dvec3 point = ball.center + ball.radius * direction;
+        const double value = surface.value(point);
+        if (!std::isfinite(value)) return false;
+        if ((value > 0.0) != is_positive) return true;
+        const glm::dvec3 gradient = surface.gradient(point);
+        const glm::dvec3 along = gradient - glm::dot(gradient, direction) * direction;
+        const double slope = glm::length(along);
+        if (!(slope > 0.0) || !std::isfinite(slope)) return false;
+        // A little further than to the zero of the tangent.
+        const double angle = std::min(1.1 * std::abs(value) / (slope * ball.radius), longest_step);
+        direction = glm::normalize(direction - (is_positive ? angle : -angle) / slope * along);
+    }
+    return false;
+}
+
+/// Whether the surface passes through the sphere of a ball, as far as samples and descents from them tell:
+/// rays miss what is thin far away.
+bool crosses_sphere(const Surface& surface, const Ball& ball, base::Run& run) {
+    constexpr int samples = 200;
+    constexpr std::size_t descents = 8;
+    std::vector<std::pair<double, int>> sizes;
+    int positive = 0;
+    for (int i = 0; i < samples; ++i) {
+        run.poll();
+        const double value = surface.value(ball.center + ball.radius * spiral(i, samples));
+        if (!std::isfinite(value)) return false;
+        positive += value > 0.0 ? 1 : 0;
+        sizes.emplace_back(std::abs(value), i);
+    }
+    if (positive != 0 && positive != samples) return true;
+    std::partial_sort(sizes.begin(), sizes.begin() + descents, sizes.end());
+    return std::any_of(sizes.begin(), sizes.begin() + descents, [&](const auto& sample) {
+        return reaches_other_sign(surface, ball, spiral(sample.second, samples), positive != 0, run);
+    });
+}
+
+/// The median distance of the first hits of rays from the middle of a ball; 0 if few rays hit.
+double usual_distance(const Surface& surface, const Ball& ball, base::Run& run) {
+    constexpr int rays = 96;
+    // Off the centre of symmetry, where all that is singular there would be met.
+    const glm::dvec3 origin = ball.center + 0x1p-20 * ball.radius * glm::dvec3(0.51, 0.67, 0.36);
+    std::vector<double> distances;
+    for (int i = 0; i < rays; ++i)
+        if (const Hit hit = surface.first_hit({origin, spiral(i, rays)}, {0.0, ball.radius}, run))
+            distances.push_back(hit.t);
+    if (distances.size() < rays / 3) return 0.0;
+    const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), median, distances.end());
+    return *median;
+}
+
+/// Where powers of coordinates are still numbers of doubles, with room for coefficients: farther out
+/// everything is decided by integers of thousands of digits.
+double largest_radius(const algebra::Polynomial& f) {
+    constexpr double largest = 0x1p8;
+    constexpr double exponents = 800.0;
+    return std::min(largest,
+                    std::exp2(exponents / static_cast<double>(std::max<std::int64_t>(f.total_degree(), 1))));
+}
+
+/// Expanding a polynomial about a point takes too long beyond.
+constexpr std::int64_t most_shifted_degree = 24;
+
+/// f(center + q), q being the variables.
+algebra::Polynomial shifted(const algebra::Polynomial& f, const glm::dvec3& center, base::Run& run) {
+    std::vector<algebra::Polynomial> images;
+    for (std::size_t v = 0; v < f.ring().variable_count(); ++v)
+        images.push_back(algebra::Polynomial::variable(f.ring(), v) +
+                         algebra::Polynomial::constant(f.ring(), mpq_class(center[static_cast<int>(v)])));
+    return algebra::compose(f, f.ring(), images, run);
 }
 
 using Form = std::map<std::array<std::uint64_t, 3>, double>; ///< coefficients by exponents
@@ -134,18 +226,14 @@ double asymptotic_radius(const algebra::Polynomial& f) {
     std::vector<double> squares(static_cast<std::size_t>(std::max<std::int64_t>(f.total_degree(), 0)) + 1);
     std::vector<double> parts(squares.size());
     for (int d = 0; d < directions; ++d) {
-        // Points of equal area on the sphere along a golden spiral.
-        const double z = 1.0 - (2.0 * d + 1.0) / directions;
-        const double angle = 2.399963229728653 * d;
-        const double r = std::sqrt(1.0 - z * z);
-        const std::array<double, 3> point{r * std::cos(angle), r * std::sin(angle), z};
+        const glm::dvec3 point = spiral(d, directions);
         std::ranges::fill(parts, 0.0);
         for (std::size_t i = 0; i < f.size(); ++i) {
             double term = f.integer_terms().coefficients[i].to_double();
             std::size_t degree = 0;
             for (std::size_t v = 0; v < variables; ++v) {
                 const auto e = static_cast<std::size_t>(f.exponent(i, v));
-                term *= std::pow(point[v], static_cast<double>(e));
+                term *= std::pow(point[static_cast<int>(v)], static_cast<double>(e));
                 degree += e;
             }
             parts[degree] += term;
@@ -164,18 +252,34 @@ double asymptotic_radius(const algebra::Polynomial& f) {
     return told ? radius : 1.0;
 }
 
-Ball frame(const Surface& surface, const glm::dvec3& center, double radius_if_unbounded, base::Run& run) {
+Ball frame(const Surface& surface, const algebra::Polynomial& f, base::Run& run) {
     constexpr double least = 0x1p-6;
-    constexpr double largest = 0x1p8;
+    const double largest = largest_radius(f);
+    glm::dvec3 center = center_of(f);
+    double asymptotic = 1.0;
+    if (center == glm::dvec3(0.0))
+        asymptotic = asymptotic_radius(f);
+    else if (f.total_degree() <= most_shifted_degree)
+        asymptotic = asymptotic_radius(shifted(f, center, run));
+    // A centre far away from where the surface is met all around says more about the polynomial than about
+    // what is of interest.
+    constexpr double far = 8.0;
+    const double around_origin = usual_distance(surface, {glm::dvec3(0.0), largest}, run);
+    const bool is_credible = !(around_origin > 0.0 && far * around_origin < glm::length(center));
+    if (!is_credible) center = glm::dvec3(0.0);
+
     // From the largest ball down to the first that has hits not only near its middle.
-    for (double radius = largest; radius >= least; radius *= 0.5) {
-        const double farthest = farthest_hit(surface, {center, radius}, 5, run);
-        if (farthest <= 0.3 * radius) continue;
-        if (radius == largest) break;
-        const double closer = farthest_hit(surface, {center, 1.5 * radius}, 16, run);
-        return {center, 1.1 * std::max(farthest, closer)};
-    }
-    return {center, radius_if_unbounded};
+    if (!crosses_sphere(surface, {center, largest}, run))
+        for (double radius = largest; radius >= least; radius *= 0.5) {
+            const double farthest = farthest_hit(surface, {center, radius}, 5, run);
+            if (farthest <= 0.3 * radius) continue;
+            if (radius == largest) break;
+            const double closer = farthest_hit(surface, {center, 1.5 * radius}, 16, run);
+            return {center, 1.1 * std::max(farthest, closer)};
+        }
+    constexpr double room = 1.75;
+    if (!is_credible) return {center, room * around_origin};
+    return {center, std::max(asymptotic, room * usual_distance(surface, {center, largest}, run))};
 }
 
 } // namespace eliminant::scene

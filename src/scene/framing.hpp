@@ -19,9 +19,12 @@ double asymptotic_radius(const algebra::Polynomial& f);
 /// the difference is rounding.
 glm::dvec3 center_of(const algebra::Polynomial& f);
 
-/// A ball about a centre that shows a surface: if it seems bounded, because a bundle of rays meets it in
-/// some ball but not in the next ones of twice the size, one that holds all hits of a finer bundle; else the
-/// ball of the radius given.
-Ball frame(const Surface& surface, const glm::dvec3& center, double radius_if_unbounded, base::Run& run);
+/// A ball that shows the surface of f, about its center_of(). If it seems bounded, because it does not pass
+/// through a far sphere and a bundle of rays meets it in some ball but not in the next ones of twice the
+/// size, all hits of a finer bundle are in it. Else it reaches as far as the asymptotes need and clearly
+/// farther than the surface is from the centre.
+///
+/// Some thousand rays and values: heuristic, but bounded work.
+Ball frame(const Surface& surface, const algebra::Polynomial& f, base::Run& run);
 
 } // namespace eliminant::scene

@@ -93,6 +93,11 @@ TEST(SparseRay, LeavesWhatItCannotTell) {
     ASSERT_TRUE(root);
     EXPECT_NEAR(root->t, 1, 1e-10);
     EXPECT_EQ(root->side, -1);
+    // Along the axes slopes next to the root are of all orders of magnitude.
+    const SparseRay cube(polynomial("x^300+y^300+z^300-1"));
+    const auto face = cube.first({-5.9974, 0.084, 0.156}, {1, 0, 0}, 0, 11.9948, run);
+    ASSERT_TRUE(face);
+    EXPECT_NEAR(face->t, 4.9974, 1e-9);
     EXPECT_FALSE(SparseRay::is_for(polynomial("x^2+y^2+z^2-1")));
 }
 

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace eliminant::scene {
@@ -251,6 +252,28 @@ TEST(Surface, FramesWhatIsFarFromTheOrigin) {
         EXPECT_LT(ball.radius, 10) << f;
     }
     EXPECT_EQ(surface_of("x^4+y^4+z^4-x*y*z-1")->framing_ball(run).center, glm::dvec3(0.0));
+}
+
+/// What is unbounded is shown as far as it is of interest, also where nearly all rays miss it far away.
+TEST(Surface, FramesUnboundedSurfaces) {
+    base::Run run;
+    for (const auto& [f, center, least, most] :
+         {std::tuple{"x^2+y^2-1", glm::dvec3(0), 1.5, 4.0},
+          {"x^2+y^2-1/100", glm::dvec3(0), 0.15, 0.4},
+          {"(x-20)^2+y^2-1", glm::dvec3(20, 0, 0), 1.5, 4.0},
+          {"x-5", glm::dvec3(5, 0, 0), 0.5, 4.0},
+          {"x^2+y^2-z^2-1", glm::dvec3(0), 1.5, 4.0},
+          {"x^4+y^4+z^2-1", glm::dvec3(0), 1.2, 2.0}, // bounded, though its highest part is not definite
+          {"x^300+y^300+z^300-1", glm::dvec3(0), 1.7, 2.0}}) {
+        const Ball ball = surface_of(f)->framing_ball(run);
+        EXPECT_LT(glm::distance(ball.center, center), 1e-6) << f;
+        EXPECT_GT(ball.radius, least) << f;
+        EXPECT_LT(ball.radius, most) << f;
+    }
+    // The equation of a bicubic patch whose points are within 5/2 of the origin.
+    const Ball patch = algebraic_surface(test::case_named("bicubic18").polynomial, run)->framing_ball(run);
+    EXPECT_LT(glm::length(patch.center) + patch.radius, 8.0);
+    EXPECT_GT(patch.radius, 1.0);
 }
 
 TEST(GridTracer, Errors) {
