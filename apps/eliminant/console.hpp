@@ -22,6 +22,7 @@ class Console {
     Console();
 
     void set_verbose(bool verbose) { verbose_ = verbose; }
+    bool is_verbose() const { return verbose_; }
     bool is_terminal() const { return terminal_; }
 
     /// `eliminant: MESSAGE`.

@@ -59,6 +59,27 @@ std::array<mpq_class, 3> read_point(const std::string& text, const Polynomial& f
     throw UsageError("--at", "three coordinates, as '1,2/3,0.5'", std::to_string(count));
 }
 
+/// How doubles would evaluate the surface, and what was decided against.
+void report_schemes(const SurfaceArgument& surface, Session& session) {
+    if (!session.console().is_verbose()) return;
+    const CompiledPolynomial f = surface.formula.empty()
+                                     ? CompiledPolynomial(surface.polynomial, session.run())
+                                     : CompiledPolynomial::of_formula(surface.formula, session.run());
+    const char* prefix = "scheme: ";
+    for (const EvaluationScheme& scheme : f.schemes()) {
+        std::array<char, 120> numbers{};
+        std::snprintf(numbers.data(), numbers.size(),
+                      ": %.0f operations, uncertainty %.2g, expected cost %.0f", scheme.operations,
+                      scheme.uncertainty, scheme.expected_cost());
+        session.console().detail(std::string(prefix)
+                                     .append(to_string(scheme.kind))
+                                     .append(", ")
+                                     .append(scheme.description)
+                                     .append(numbers.data()));
+        prefix = "not ";
+    }
+}
+
 class DistanceCommand : public Command {
   public:
     std::string_view usage() const override { return "SURFACE --at 'x,y,z'"; }
@@ -75,7 +96,8 @@ class DistanceCommand : public Command {
             "bound\n"
             "is rounded down. On the surface all are 0; 'inf' is an estimate where derivatives vanish or "
             "that is\n"
-            "beyond 1.8e308, and a bound where there is no surface.\n"
+            "beyond 1.8e308, and a bound where there is no surface. --verbose tells how doubles evaluate f,\n"
+            "and why so.\n"
             "\n" +
             std::string(surface_help) +
             "\n"
@@ -100,8 +122,10 @@ class DistanceCommand : public Command {
     ExitStatus run(std::span<const std::string> operands, Session& session) override {
         if (!at_) throw UsageError("expected a point, as --at '1,2/3,0.5', found none");
         require_text_or_json(session);
-        const Polynomial f = read_surface(operands, constants_, session).polynomial;
+        const SurfaceArgument surface = read_surface(operands, constants_, session);
+        const Polynomial& f = surface.polynomial;
         const std::array<mpq_class, 3> point = read_point(*at_, f);
+        report_schemes(surface, session);
         if (f.is_zero()) session.console().warning("the polynomial is 0: every point is on its surface");
 
         std::string text;

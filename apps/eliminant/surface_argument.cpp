@@ -56,7 +56,7 @@ Polynomial in_coordinates(const Polynomial& f, std::size_t coordinates) {
     return f.in_ring(Ring(CoefficientField::rationals(), {"x", "y", "z"}), map);
 }
 
-Polynomial read_polynomial(const SourceText& source, const ConstantValues& given, Run& run) {
+SurfaceArgument read_polynomial(const SourceText& source, const ConstantValues& given, Run& run) {
     std::vector<std::string> names(coordinate_names.begin(), coordinate_names.end());
     std::vector<std::size_t> constants;
     for (const std::string& name : names_in(source)) {
@@ -67,7 +67,8 @@ Polynomial read_polynomial(const SourceText& source, const ConstantValues& given
     const Ring ring(CoefficientField::rationals(), std::move(names));
     Polynomial f = parse_equation(ring, source, run); // first, so that a text which is no formula is told so
     const std::vector<mpq_class> values = given.of(ring, constants, owner_of_constants);
-    return in_coordinates(evaluate(f, constants, values, run), 3);
+    return {.polynomial = in_coordinates(evaluate(f, constants, values, run), 3),
+            .formula = std::string(constants.empty() ? source.text() : std::string_view())};
 }
 
 SurfaceArgument implicit_surface(const Parametrization& general, ParameterRange range,
@@ -97,7 +98,7 @@ SurfaceArgument read_surface(std::span<const std::string> operands, const Consta
     const Input input = input_of(operands, looks_like_polynomial, run);
     const SourceText source(input.parts.front().text, input.parts.front().name);
     const SurfaceText kind = kind_of(source.text());
-    if (kind == SurfaceText::polynomial) return {read_polynomial(source, constants, run)};
+    if (kind == SurfaceText::polynomial) return read_polynomial(source, constants, run);
     return implicit_surface(parse_parametrization(source, run),
                             kind == SurfaceText::control_net ? ParameterRange::unit : ParameterRange::chosen,
                             constants, session);

@@ -24,6 +24,7 @@ struct SurfaceArgument {
     Polynomial polynomial;                         ///< its zeros are the surface; in the ring QQ[x, y, z]
     std::optional<Parametrization> map = {};       ///< where it came from, with numbers for constants
     ParameterRange range = ParameterRange::chosen; ///< of the map's parameters
+    std::string formula = {}; ///< the polynomial as written, if it is a text without constants
 };
 
 /// Reads the operand. The operands are a polynomial or an equation in x, y, z (text, a file or `-`), or a

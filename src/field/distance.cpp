@@ -3,6 +3,7 @@
 #include "eliminant/base/error.hpp"
 
 #include "field/arithmetic.hpp"
+#include "field/distance_batch.hpp"
 #include "field/positive_root.hpp"
 #include "field/precise_distance.hpp"
 #include "field/taylor_forms.hpp"
@@ -55,24 +56,22 @@ void set_all_in_double(LocalForms<double>& forms, const DistanceField& field, co
     shifted_majorant(data.majorant.data(), data.majorant.size(), r, data.error_factor, &forms.errors[0]);
 }
 
-/// Nothing if the errors of doubles are too large to trust the result.
-std::optional<double> distance_in_double(const DistanceField& field, const glm::dvec3& point,
-                                         DistanceLevel level, int& sign) {
-    LocalForms<double> forms(field.polynomial().degree());
-    Estimate<double> result{};
-    if (level == DistanceLevel::guaranteed) {
+void set_in_double(LocalForms<double>& forms, const DistanceField& field, const glm::dvec3& point,
+                   DistanceLevel level) {
+    if (level == DistanceLevel::guaranteed)
         set_all_in_double(forms, field, point);
-        result = guaranteed_bound(forms);
-        if (!(result.uncertainty <= 0x1p-12)) return std::nullopt;
-    } else {
+    else
         set_jet_in_double(forms, field.polynomial(), point);
-        result = estimate(forms, level);
-        if (!(result.uncertainty <= 0x1p-30)) return std::nullopt;
-    }
+}
+
+/// Nothing if the errors of doubles are too large to trust the result.
+std::optional<double> trusted_distance(const LocalForms<double>& forms, DistanceLevel level) {
+    const bool is_bound = level == DistanceLevel::guaranteed;
+    const Estimate<double> result = is_bound ? guaranteed_bound(forms) : estimate(forms, level);
+    if (!(result.uncertainty <= (is_bound ? 0x1p-12 : 0x1p-30))) return std::nullopt;
     // Squares of what is beyond this have over- or underflowed.
     const double g = gradient_norm(forms);
     if (!(result.value > 0 && g < 1e150 && (g > 1e-140 || g == 0))) return std::nullopt;
-    sign = forms.value > 0 ? 1 : -1;
     return result.value;
 }
 
@@ -85,6 +84,11 @@ std::shared_ptr<const DistanceData> make_distance_data(const CompiledPolynomial&
     auto data = std::make_shared<DistanceData>();
     data->taylor = make_taylor_scheme(terms);
     if (!data->taylor.is_complete) return data;
+    for (std::size_t k = 3; k < data->taylor.parts.size(); ++k) {
+        const auto& part = data->taylor.parts[k];
+        data->components.insert(data->components.end(), part.begin(), part.end());
+        data->component_ends.push_back(static_cast<std::uint32_t>(data->components.size()));
+    }
     data->entries.assign(data->taylor.size, 0);
     data->double_doubles.assign(data->taylor.size, 0.0);
     data->wide.assign(data->taylor.size, Wide(0));
@@ -99,6 +103,23 @@ std::shared_ptr<const DistanceData> make_distance_data(const CompiledPolynomial&
 }
 
 } // namespace
+
+ExpansionView DistanceData::view(const CompiledData& compiled) const {
+    const TaylorScheme& t = taylor;
+    return {static_cast<std::size_t>(std::max(compiled.degree, 0)),
+            t.size,
+            {t.coordinates[0], t.coordinates[1], t.coordinates[2]},
+            entries.data(),
+            t.lines.data(),
+            t.lines.data() + t.lines.size(),
+            t.steps.data(),
+            t.steps.data() + t.steps.size(),
+            t.low.data(),
+            components.data(),
+            component_ends.data(),
+            compiled.majorant.data(),
+            compiled.error_factor};
+}
 
 std::string_view to_string(DistanceLevel level) {
     switch (level) {
@@ -145,9 +166,15 @@ Distance distance(const DistanceField& field, const glm::dvec3& point, DistanceL
     if (!is_finite(point))
         return {level == DistanceLevel::guaranteed ? 0 : std::numeric_limits<double>::quiet_NaN(), 0};
     if (f.is_zero()) return {0, 0};
-    int sign = 0;
-    if (const auto fast = distance_in_double(field, point, level, sign)) return {*fast, sign};
-    sign = f.sign(point);
+    LocalForms<double> forms(f.degree());
+    set_in_double(forms, field, point, level);
+    return distance_by(forms, field, point, level);
+}
+
+Distance distance_by(const LocalForms<double>& forms, const DistanceField& field, const glm::dvec3& point,
+                     DistanceLevel level) {
+    if (const auto fast = trusted_distance(forms, level)) return {*fast, forms.value > 0 ? 1 : -1};
+    const int sign = field.polynomial().sign(point);
     if (sign == 0) return {0, 0};
     return {precise_distance(field, point, level), sign};
 }

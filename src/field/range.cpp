@@ -72,16 +72,35 @@ std::vector<double> powers_of(double h, std::size_t count) {
     return result;
 }
 
-/// q_i ↦ size_i · q_i of a box, in the levels of the scheme.
-std::array<std::vector<double>, 3> scales_of(const TaylorScheme& scheme, const glm::dvec3& size) {
-    std::array<std::vector<double>, 3> result;
-    Exponents most = {};
-    for (const Exponents& e : scheme.exponents)
-        for (std::size_t level = 0; level < 3; ++level) most[level] = std::max(most[level], e[level]);
-    for (std::size_t level = 0; level < 3; ++level)
-        result[level] = powers_of(size[scheme.coordinates[level]], most[level]);
-    return result;
+/// Calls body(entry, exponents of u, v, w).
+template <class Body>
+void for_each_entry(const TaylorScheme& scheme, const Body& body) {
+    for (const TaylorScheme::FilledLine& line : scheme.filled)
+        for (std::uint32_t k = 0; k < line.count; ++k) body(line.first + k, Exponents{line.i, line.j, k});
 }
+
+Exponents degrees_of(const TaylorScheme& scheme) {
+    Exponents most = {};
+    for (const TaylorScheme::FilledLine& line : scheme.filled)
+        most = {std::max(most[0], line.i), std::max(most[1], line.j), std::max(most[2], line.count - 1)};
+    return most;
+}
+
+/// q_i ↦ size_i · q_i of a box, in the levels of the scheme.
+class Scales {
+  public:
+    Scales(const TaylorScheme& scheme, const glm::dvec3& size) {
+        const Exponents most = degrees_of(scheme);
+        for (std::size_t level = 0; level < 3; ++level)
+            powers_[level] = powers_of(size[scheme.coordinates[level]], most[level]);
+    }
+    double operator()(const Exponents& e) const {
+        return powers_[0][e[0]] * powers_[1][e[1]] * powers_[2][e[2]];
+    }
+
+  private:
+    std::array<std::vector<double>, 3> powers_;
+};
 
 Range taylor_range(const DistanceField& field, const Box& box) {
     const TaylorScheme& scheme = field.data().taylor;
@@ -89,24 +108,23 @@ Range taylor_range(const DistanceField& field, const Box& box) {
     const glm::dvec3 center = box.lower + 0.5 * (box.upper - box.lower);
     const glm::dvec3 half = glm::max(box.upper - center, center - box.lower) * (1 + 0x1p-51);
     const Expansion f(field, center);
-    const auto scales = scales_of(scheme, half);
+    const Scales scale(scheme, half);
     double below = 0;
     double above = 0;
     double constant = 0;
     double sum = 0; // NaN or infinite where anything overflows
-    for (std::size_t i = 0; i < scheme.size; ++i) {
-        const Exponents& e = scheme.exponents[i];
-        const double size = f.entries[i] * scales[0][e[0]] * scales[1][e[1]] * scales[2][e[2]];
+    for_each_entry(scheme, [&](std::uint32_t entry, const Exponents& e) {
+        const double size = f.entries[entry] * scale(e);
         sum += std::abs(size);
         if (e == Exponents{}) {
             constant = size;
-            continue;
+            return;
         }
         const bool is_even =
             e[0] % 2 == 0 && e[1] % 2 == 0 && e[2] % 2 == 0; // then in [0, size] or [size, 0]
         below += is_even ? std::max(0.0, -size) : std::abs(size);
         above += is_even ? std::max(0.0, size) : std::abs(size);
-    }
+    });
     const double slack = 2 * sum * static_cast<double>(scheme.size + 16) * 0x1p-52 +
                          f.error(std::max({half.x, half.y, half.z}));
     return checked({constant - below - slack, constant + above + slack});
@@ -131,10 +149,8 @@ void to_bernstein(std::span<double> tensor, std::size_t count, std::size_t strid
 constexpr std::size_t max_tensor = std::size_t{1} << 22;
 
 std::size_t tensor_size(const TaylorScheme& scheme) {
-    Exponents most = {};
-    for (const Exponents& e : scheme.exponents)
-        for (std::size_t level = 0; level < 3; ++level) most[level] = std::max(most[level], e[level]);
-    return std::size_t{most[0] + 1} * (most[1] + 1) * (most[2] + 1);
+    const Exponents most = degrees_of(scheme);
+    return (std::size_t{most[0]} + 1) * (std::size_t{most[1]} + 1) * (std::size_t{most[2]} + 1);
 }
 
 Range bernstein_range(const DistanceField& field, const Box& box) {
@@ -142,16 +158,17 @@ Range bernstein_range(const DistanceField& field, const Box& box) {
     if (!scheme.is_complete || tensor_size(scheme) > max_tensor) return everything;
     const Expansion f(field, box.lower);
     const glm::dvec3 size = (box.upper - box.lower) * (1 + 0x1p-51);
-    const auto scales = scales_of(scheme, size);
-    const std::array<std::size_t, 3> counts = {scales[0].size(), scales[1].size(), scales[2].size()};
+    const Scales scale(scheme, size);
+    const Exponents most = degrees_of(scheme);
+    const std::array<std::size_t, 3> counts = {most[0] + std::size_t{1}, most[1] + std::size_t{1},
+                                               most[2] + std::size_t{1}};
     std::vector<double> tensor(counts[0] * counts[1] * counts[2], 0);
     double sum = 0;
-    for (std::size_t i = 0; i < scheme.size; ++i) {
-        const Exponents& e = scheme.exponents[i];
-        const double a = f.entries[i] * scales[0][e[0]] * scales[1][e[1]] * scales[2][e[2]];
+    for_each_entry(scheme, [&](std::uint32_t entry, const Exponents& e) {
+        const double a = f.entries[entry] * scale(e);
         tensor[(e[0] * counts[1] + e[1]) * counts[2] + e[2]] = a;
         sum += std::abs(a);
-    }
+    });
     to_bernstein(tensor, counts[2], 1);
     to_bernstein(tensor, counts[1], counts[2]);
     to_bernstein(tensor, counts[0], counts[1] * counts[2]);

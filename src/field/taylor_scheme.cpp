@@ -136,14 +136,12 @@ class Layout {
 
     void add_parts(const LineLengths& filled) {
         scheme_.low.fill(TaylorScheme::none);
-        scheme_.exponents.resize(scheme_.size);
         for (std::uint32_t i = 0; i < filled.rows(); ++i)
             for (std::uint32_t j = 0; j < filled.columns(); ++j)
                 for (std::uint32_t k = 0; k < filled.at(i, j); ++k) {
                     const std::size_t order = i + j + k;
                     if (scheme_.parts.size() <= order) scheme_.parts.resize(order + 1);
                     const Exponents alpha = {i, j, k};
-                    scheme_.exponents[first(i, j) + k] = alpha;
                     scheme_.parts[order].push_back({first(i, j) + k, weight(alpha)});
                     if (order <= 2) scheme_.low[low_position(alpha)] = first(i, j) + k;
                 }

@@ -50,7 +50,6 @@ struct TaylorScheme {
     std::array<std::uint8_t, 3> coordinates = {0, 1, 2}; ///< which of x, y, z are u, v, w
     std::size_t size = 0;                                ///< number of entries
     std::vector<std::uint32_t> slots;                    ///< entry of each term
-    std::vector<Exponents> exponents;                    ///< of u, v, w, for each entry
     std::vector<Line> lines;
     std::vector<Step> steps;                   ///< first those along v, then those along u
     std::vector<FilledLine> filled;            ///< all entries

@@ -98,6 +98,14 @@ TEST(Distance, AnswersAtPointsThatNoDoubleHolds) {
     expect_error_with(run({"distance", "x", "--at", "1e99999999,0,0"}), 2, "decimal exponent");
 }
 
+TEST(Distance, TellsTheSchemeOfEvaluation) {
+    const ProcessResult result =
+        run({"distance", "(x^2+2*y^2+3*z^2+x*y-1)^10", "--at", "1,1,1", "--level", "first", "--verbose"});
+    EXPECT_NE(result.errors.find("scheme: structured, (5 terms)^10: "), std::string::npos) << result.errors;
+    EXPECT_NE(result.errors.find("not horner, Horner in "), std::string::npos) << result.errors;
+    EXPECT_EQ(result.status, 0);
+}
+
 TEST(Distance, SaysWhatIsWrong) {
     expect_error_with(run({"distance", "x/y", "--at", "1,2,3"}), 2, "divided by constants only, found 'y'");
     expect_error(run({"distance", "x"}), 2, "expected a point, as --at '1,2/3,0.5', found none");

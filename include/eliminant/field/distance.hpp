@@ -8,6 +8,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -75,6 +76,18 @@ class DistanceField {
 /// Estimates take one evaluation of the jet, the bound O(degree · coefficients) for the Taylor expansion.
 Distance distance(const DistanceField& field, const glm::dvec3& point, DistanceLevel level);
 
+/// Distances and signs of many points, one span each.
+struct DistanceArrays {
+    std::span<double> value;
+    std::span<std::int8_t> sign;
+};
+
+/// The same for a batch, value, derivatives and expansions being computed in vector registers. Signs are
+/// those of single points; distances differ from theirs by rounding, and the bound is one. \throws
+/// DomainError if the spans differ in length; z may be empty for a polynomial in two variables
+void distances(const DistanceField& field, const PointArrays<double>& points, DistanceLevel level,
+               const DistanceArrays& result);
+
 /// The same at an exact point, by exact arithmetic and 256 bits: estimates are correctly rounded, the bound
 /// is rounded down. Milliseconds for large polynomials.
 ///
@@ -104,6 +117,7 @@ using field::Distance;
 using field::distance;
 using field::distance_from_ball;
 using field::distance_from_box;
+using field::DistanceArrays;
 using field::DistanceField;
 using field::DistanceLevel;
 using field::distances;

@@ -1,0 +1,22 @@
+/// \file
+/// Distances of batches on a chosen instruction set, and what single points share with them.
+#pragma once
+
+#include "eliminant/field/distance.hpp"
+
+#include "field/local_forms.hpp"
+
+#include "base/vector_unit.hpp"
+
+namespace eliminant::field {
+
+/// From value, derivatives and errors in doubles at a finite point; by more precise numbers where they do not
+/// suffice. f is not 0.
+Distance distance_by(const LocalForms<double>& forms, const DistanceField& field, const glm::dvec3& point,
+                     DistanceLevel level);
+
+/// `distances` with a unit that this machine has.
+void distances_with(base::VectorUnit unit, const DistanceField& field, const PointArrays<double>& points,
+                    DistanceLevel level, const DistanceArrays& result);
+
+} // namespace eliminant::field
