@@ -33,6 +33,13 @@ Json json_of(const Claims& claims) {
     result["theorem"] = std::ranges::find_if(theorem_names, named)->name;
     result["codimension"] = claims.codimension;
     result["degrees"] = claims.degrees;
+    if (claims.domain) {
+        result["domain"] = {{"weights", claims.domain->weights},
+                            {"prime", claims.domain->prime},
+                            {"rank", claims.domain->rank},
+                            {"points", claims.domain->points}};
+        return result;
+    }
     result["vanishing"] = Json::array();
     for (const VanishingClaim& claim : claims.vanishing)
         result["vanishing"].push_back({{"degrees", claim.degrees},
@@ -87,6 +94,11 @@ class Reader {
     std::vector<T> numbers(const char* key) const {
         return list<T>(key, "a list of natural numbers", is_number<T>);
     }
+    std::vector<std::vector<std::uint32_t>> points(const char* key) const {
+        return list<std::vector<std::uint32_t>>(key, "a list of lists of natural numbers", [](const Json& j) {
+            return j.is_array() && std::ranges::all_of(j, is_number<std::uint32_t>);
+        });
+    }
     template <class F>
     void for_each(const char* key, const F& visit) const {
         const Json& all = member(key);
@@ -139,7 +151,11 @@ VanishingClaim read_vanishing(const Reader& reader) {
 }
 
 Claims read_claims(const Reader& reader) {
-    reader.only({"theorem", "codimension", "degrees", "vanishing", "rank", "irreducible"});
+    const bool has_domain = reader.has("domain");
+    if (has_domain)
+        reader.only({"theorem", "codimension", "degrees", "domain"});
+    else
+        reader.only({"theorem", "codimension", "degrees", "vanishing", "rank", "irreducible"});
     Claims claims;
     const std::string theorem = reader.text("theorem");
     const auto* named = std::ranges::find(theorem_names, theorem, &TheoremName::name);
@@ -147,6 +163,13 @@ Claims read_claims(const Reader& reader) {
     claims.theorem = named->theorem;
     claims.codimension = reader.number<std::uint64_t>("codimension");
     claims.degrees = reader.numbers<std::uint64_t>("degrees");
+    if (has_domain) {
+        const Reader domain = reader.object("domain");
+        domain.only({"weights", "prime", "rank", "points"});
+        claims.domain = {domain.numbers<std::uint64_t>("weights"), domain.number<std::uint64_t>("prime"),
+                         domain.number<std::uint64_t>("rank"), domain.points("points")};
+        return claims;
+    }
     reader.for_each("vanishing",
                     [&](const Reader& element) { claims.vanishing.push_back(read_vanishing(element)); });
     const Reader rank = reader.object("rank");

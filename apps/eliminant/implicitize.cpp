@@ -196,11 +196,11 @@ class ImplicitizeCommand : public Command {
   private:
     static void write_certificate(const Destination& file, const Parametrization& parametrization,
                                   const ImplicitResult& result, Session& session) {
-        const auto certificate = certify(parametrization, result, session.run());
-        if (certificate)
-            file.write(certificate_to_json(*certificate), session.run());
+        const Certified certified = certify(parametrization, result, session.run());
+        if (certified.certificate)
+            file.write(certificate_to_json(*certified.certificate), session.run());
         else
-            session.console().warning("no certificate was written: there is none for inputs with relations");
+            session.console().warning("no certificate was written: " + certified.reason);
     }
 
     /// Results are printed as they come, errors named and passed over.

@@ -70,6 +70,12 @@ std::uint64_t digest(const Certificate& certificate) {
         hash.add(claims.irreducible->direction);
         hash.add(claims.irreducible->section);
     }
+    if (claims.domain) {
+        hash.add(claims.domain->weights);
+        hash.add(claims.domain->prime);
+        hash.add(claims.domain->rank);
+        hash.add(claims.domain->points);
+    }
     return hash.value();
 }
 

@@ -1,6 +1,7 @@
 #include "eliminant/implicit/certify.hpp"
 
 #include "eliminant/algebra/print.hpp"
+#include "implicit/certify_domain.hpp"
 #include "implicit/map_of.hpp"
 #include "implicit/verify_hypersurface.hpp"
 
@@ -19,6 +20,7 @@ CertificateInput input_of(const Parametrization& parametrization) {
         input.angles.emplace_back(names[cosine], names[sine]);
     for (const auto& [name, value] : parametrization.coordinates())
         input.coordinates.emplace_back(name, algebra::to_string(value));
+    for (const algebra::Polynomial& f : parametrization.relations()) input.relations.push_back(to_string(f));
     return input;
 }
 
@@ -40,19 +42,23 @@ std::optional<Claims> claims_of(const RationalMap& map, const ImplicitResult& re
 
 } // namespace
 
-std::optional<Certificate> certify(const Parametrization& parametrization, const ImplicitResult& result,
-                                   base::Run& run) {
-    if (!parametrization.relations().empty()) return std::nullopt;
+Certified certify(const Parametrization& parametrization, const ImplicitResult& result, base::Run& run) {
     std::optional<Claims> claims = result.claims;
+    if (!parametrization.relations().empty()) {
+        auto found =
+            domain_claims(domain_of(parametrization, run), result.equations, result.codimension, run);
+        if (const auto* none = std::get_if<NoClaims>(&found)) return {std::nullopt, none->reason};
+        claims = std::get<Claims>(std::move(found));
+    }
     if (!claims) {
         const RationalMap map = map_of(parametrization, run);
         if (result.equations.size() == 1) claims = prove_hypersurface(map, result.equations.front(), run);
         if (!claims) claims = claims_of(map, result, run);
-        if (!claims) return std::nullopt;
+        if (!claims) return {std::nullopt, "no point was found at which the differential has its full rank"};
     }
     Certificate certificate{input_of(parametrization), {}, std::move(*claims)};
     for (const algebra::Polynomial& f : result.equations) certificate.equations.push_back(to_string(f));
-    return certificate;
+    return {std::move(certificate), {}};
 }
 
 } // namespace eliminant::implicit

@@ -3,10 +3,12 @@
 #include "eliminant/algebra/gcd.hpp"
 #include "eliminant/algebra/parse.hpp"
 #include "eliminant/base/error.hpp"
+#include "implicit/verify_domain.hpp"
 #include "implicit/verify_hypersurface.hpp"
 
 #include <algorithm>
 #include <numeric>
+#include <variant>
 
 namespace eliminant::implicit {
 
@@ -18,8 +20,8 @@ namespace {
 
 /// What a certificate is about, read from its text.
 struct Subject {
-    RationalMap map;
-    Ring ring; ///< of coordinates, then constants
+    std::variant<RationalMap, DomainMap> map; ///< the latter with relations
+    Ring ring;                                ///< of coordinates, then constants
     std::vector<Polynomial> equations;
 };
 
@@ -29,7 +31,7 @@ std::size_t index_of(const Ring& ring, const std::string& name, const std::strin
     return *index;
 }
 
-RationalMap read_map(const CertificateInput& input, base::Run& run) {
+std::variant<RationalMap, DomainMap> read_map(const CertificateInput& input, base::Run& run) {
     std::vector<std::string> names = input.parameters;
     names.insert(names.end(), input.constants.begin(), input.constants.end());
     const Ring ring(algebra::CoefficientField::rationals(), std::move(names));
@@ -48,11 +50,15 @@ RationalMap read_map(const CertificateInput& input, base::Run& run) {
     std::vector<RationalFunction> functions;
     for (const auto& [name, text] : input.coordinates)
         functions.push_back(parse_rational_function(ring, base::SourceText(text, "coordinate " + name), run));
-    return rational_map(ring, constants, rotations, functions, run);
+    if (input.relations.empty()) return rational_map(ring, constants, rotations, functions, run);
+    std::vector<Polynomial> relations;
+    for (const std::string& text : input.relations)
+        relations.push_back(parse_polynomial(ring, base::SourceText(text, "relation"), run));
+    return domain_map(ring, input.parameters.size(), rotations, relations, functions, run);
 }
 
 Subject read(const Certificate& certificate, base::Run& run) {
-    RationalMap map = read_map(certificate.input, run);
+    std::variant<RationalMap, DomainMap> map = read_map(certificate.input, run);
     std::vector<std::string> names;
     for (const auto& coordinate : certificate.input.coordinates) names.push_back(coordinate.first);
     names.insert(names.end(), certificate.input.constants.begin(), certificate.input.constants.end());
@@ -74,12 +80,13 @@ Subject read(const Certificate& certificate, base::Run& run) {
 class Check {
   public:
     Check(const Certificate& certificate, base::Run& run)
-        : certificate_(certificate), claims_(certificate.claims), run_(run), subject_(read(certificate, run)),
+        : claims_(certificate.claims), run_(run), subject_(read(certificate, run)),
           coordinates_(certificate.input.coordinates.size()) {}
 
     Verdict verdict() {
-        const bool holds = is_possible() && dimension_holds() && equations_hold() && theorem_holds();
-        verdict_.holds = holds;
+        const auto* map = std::get_if<RationalMap>(&subject_.map);
+        verdict_.holds = is_possible() && equations_are_normal() &&
+                         (map != nullptr ? holds_on(*map) : holds_on(std::get<DomainMap>(subject_.map)));
         return std::move(verdict_);
     }
 
@@ -94,55 +101,106 @@ class Check {
     }
 
     bool is_possible() {
-        if (!certificate_.input.relations.empty())
-            return fail("a certificate of an input with relations cannot be checked by this version");
         const std::size_t count = subject_.equations.size();
-        if (claims_.degrees.size() != count || claims_.vanishing.size() != count)
-            return fail("the claims are of another number of equations");
+        if (claims_.degrees.size() != count) return fail("the claims are of another number of equations");
         if ((claims_.theorem == Theorem::dense) != (count == 0))
             return fail("an image is dense if and only if it has no equations");
         if (claims_.theorem == Theorem::hypersurface && count != 1)
             return fail("a hypersurface has one equation");
-        if ((claims_.theorem == Theorem::hypersurface) != claims_.irreducible.has_value())
-            return fail("irreducibility is claimed of hypersurfaces, and only of them");
+        if ((claims_.theorem == Theorem::dense) != (claims_.codimension == 0))
+            return fail("an image is dense if and only if it has codimension 0");
+        if (claims_.theorem == Theorem::hypersurface && claims_.codimension != 1)
+            return fail("a hypersurface has codimension 1");
         return true;
     }
 
-    bool dimension_holds() {
+    bool equations_are_normal() {
+        for (std::size_t i = 0; i < subject_.equations.size(); ++i) {
+            const Polynomial& f = subject_.equations[i];
+            // A factor in the constants would make it another equation of the same image. Of several
+            // equations, the leading terms, and so the signs, are by an order that need not be this one.
+            const Polynomial primitive = f.is_zero() ? f : primitive_part(f, coordinate_variables(), run_);
+            if (f.is_zero() || (f != primitive && (subject_.equations.size() == 1 || f != -primitive)))
+                return fail(name_of(i) +
+                            " is not primitive with integer coefficients, or its leading one is negative");
+            if (degree_in_coordinates(f, coordinates_) != claims_.degrees[i])
+                return fail(name_of(i) + " has another degree");
+        }
+        return true;
+    }
+
+    bool holds_on(const RationalMap& map) {
+        if (claims_.vanishing.size() != subject_.equations.size())
+            return fail("the claims are of another number of equations");
+        if ((claims_.theorem == Theorem::hypersurface) != claims_.irreducible.has_value())
+            return fail("irreducibility is claimed of hypersurfaces, and only of them");
+        if (claims_.domain) return fail("a domain is claimed of an input without relations");
+        return dimension_holds(map) && equations_vanish(map) && theorem_holds();
+    }
+
+    bool holds_on(const DomainMap& map) {
+        if (!claims_.domain || claims_.irreducible || !claims_.vanishing.empty() ||
+            claims_.rank != RankClaim{})
+            return fail("for an input with relations the claims are others");
+        const DomainClaim& domain = *claims_.domain;
+        if (!is_dimension(domain.rank)) return false;
+        const auto basis = as_basis(map, domain.weights);
+        if (!basis) return fail("with these weights the leading monomials of the relations are not coprime");
+        for (std::size_t i = 0; i < subject_.equations.size(); ++i) {
+            if (!vanishes(map, subject_.equations[i], *basis, run_))
+                return fail(name_of(i) + " is not zero modulo the relations");
+            found(name_of(i) + " vanishes on the domain: put in and divided by the relations, which are a "
+                               "Groebner basis by Buchberger's first criterion, it leaves no remainder");
+        }
+        const bool minimal = claims_.theorem == Theorem::hypersurface;
+        std::optional<std::uint64_t> lower_degree;
+        if (minimal) lower_degree = claims_.degrees.front() - 1;
+        if (std::string what = refutation(map, domain, lower_degree, run_); !what.empty())
+            return fail(std::move(what));
+        found(
+            "the image has dimension at least " + std::to_string(domain.rank) +
+            ": the differential on the tangent space has that rank at a smooth point of the domain modulo " +
+            std::to_string(domain.prime));
+        if (minimal)
+            found("no polynomial of lower degree vanishes on the images of the components of the domain with "
+                  "that dimension: none does so at " +
+                  std::to_string(domain.points.size()) + " points of them modulo the prime");
+        state_theorem();
+        return true;
+    }
+
+    bool is_dimension(std::uint64_t rank) {
+        return rank + claims_.codimension == coordinates_ ||
+               fail("rank and codimension do not add up to the number of coordinates");
+    }
+
+    bool dimension_holds(const RationalMap& map) {
         const RankClaim& rank = claims_.rank;
-        if (!holds(subject_.map, rank, run_))
+        if (!holds(map, rank, run_))
             return fail("the rank of the differential at the point is not as claimed");
-        if (rank.rank + claims_.codimension != coordinates_)
-            return fail("rank and codimension do not add up to the number of coordinates");
-        return found("the image has dimension at least " + std::to_string(rank.rank) +
+        return is_dimension(rank.rank) &&
+               found("the image has dimension at least " + std::to_string(rank.rank) +
                      ": the differential has that rank at a point modulo " + std::to_string(rank.prime));
     }
 
-    bool equations_hold() {
-        for (std::size_t i = 0; i < subject_.equations.size(); ++i)
-            if (!equation_holds(subject_.equations[i], claims_.degrees[i], claims_.vanishing[i],
-                                "equation " + std::to_string(i + 1)))
-                return false;
-        return true;
-    }
+    static std::string name_of(std::size_t i) { return "equation " + std::to_string(i + 1); }
 
-    bool equation_holds(const Polynomial& f, std::uint64_t degree, const VanishingClaim& claim,
-                        const std::string& name) {
-        // A factor in the constants would make it another equation of the same image. Of several equations,
-        // the leading terms, and so the signs, are by an order that need not be this one.
-        const Polynomial primitive = f.is_zero() ? f : primitive_part(f, coordinate_variables(), run_);
-        if (f.is_zero() || (f != primitive && (subject_.equations.size() == 1 || f != -primitive)))
-            return fail(name + " is not primitive with integer coefficients, or its leading one is negative");
-        if (degree_in_coordinates(f, coordinates_) != degree) return fail(name + " has another degree");
-        if (vanishing_claim(subject_.map, f) != claim)
-            return fail(name + ": bounds or primes are not those of this equation on this parametrization");
-        if (!vanishes(subject_.map, f, claim, run_))
-            return fail(name + " does not vanish on the parametrization");
-        return found(name + " vanishes on the parametrization: at enough points for its degrees, modulo " +
-                     (claim.primes.size() == 1
-                          ? "a prime that exceeds"
-                          : std::to_string(claim.primes.size()) + " primes whose product exceeds") +
-                     " the coefficients of what is zero");
+    bool equations_vanish(const RationalMap& map) {
+        for (std::size_t i = 0; i < subject_.equations.size(); ++i) {
+            const Polynomial& f = subject_.equations[i];
+            const VanishingClaim& claim = claims_.vanishing[i];
+            if (vanishing_claim(map, f) != claim)
+                return fail(name_of(i) +
+                            ": bounds or primes are not those of this equation on this parametrization");
+            if (!vanishes(map, f, claim, run_))
+                return fail(name_of(i) + " does not vanish on the parametrization");
+            found(name_of(i) + " vanishes on the parametrization: at enough points for its degrees, modulo " +
+                  (claim.primes.size() == 1
+                       ? "a prime that exceeds"
+                       : std::to_string(claim.primes.size()) + " primes whose product exceeds") +
+                  " the coefficients of what is zero");
+        }
+        return true;
     }
 
     std::vector<std::size_t> coordinate_variables() const {
@@ -152,33 +210,35 @@ class Check {
     }
 
     bool theorem_holds() {
-        switch (claims_.theorem) {
-        case Theorem::dense:
-            verdict_.statement = "proved: the image is dense";
-            return claims_.codimension == 0 || fail("a dense image has codimension 0");
-        case Theorem::hypersurface:
-            return irreducibility_holds();
-        case Theorem::elimination:
-            verdict_.statement =
-                "the equations vanish on the parametrization, and the image has at least the dimension "
-                "claimed; that they generate the ideal of the image rests on the elimination theorem and on "
-                "the "
-                "Groebner basis computation, which is not repeated here";
-            return true;
-        }
-        return fail("no such theorem");
+        if (claims_.theorem == Theorem::hypersurface && !irreducibility_holds()) return false;
+        state_theorem();
+        return true;
     }
 
     bool irreducibility_holds() {
-        if (claims_.codimension != 1) return fail("a hypersurface has codimension 1");
         if (!holds(subject_.equations.front(), coordinates_, *claims_.irreducible, run_))
             return fail("the equation is not irreducible on the line, or not the polynomial claimed there");
-        verdict_.statement = "proved: the equation generates the ideal of the image";
         return found("the equation is irreducible: it keeps its degree and is irreducible on a line modulo " +
                      std::to_string(claims_.irreducible->prime));
     }
 
-    const Certificate& certificate_;
+    void state_theorem() {
+        switch (claims_.theorem) {
+        case Theorem::dense:
+            verdict_.statement = "proved: the image is dense";
+            break;
+        case Theorem::hypersurface:
+            verdict_.statement = "proved: the equation generates the ideal of the image";
+            break;
+        case Theorem::elimination:
+            verdict_.statement =
+                "the equations vanish on the parametrization, and the image has at least the dimension "
+                "claimed; that they generate the ideal of the image rests on the elimination theorem and on "
+                "the Groebner basis computation, which is not repeated here";
+            break;
+        }
+    }
+
     const Claims& claims_;
     base::Run& run_;
     Subject subject_;

@@ -58,17 +58,32 @@ struct SectionClaim {
     friend bool operator==(const SectionClaim&, const SectionClaim&) = default;
 };
 
+/// For inputs with relations, in the place of the claims on vanishing, rank and irreducibility: points of the
+/// domain modulo a prime at which it is smooth and the coordinates are defined, and at which the differential
+/// of the coordinates on the tangent space has the rank claimed. For a hypersurface they are as many as there
+/// are monomials of lower degree than that of the equation, and no combination of these is zero at all of
+/// their images; otherwise one is enough.
+struct DomainClaim {
+    /// Of parameters, then constants: comparing monomials by this weight first, then by degrevlex, the
+    /// leading ones of the relations are coprime, so that division by the relations tells what is in their
+    /// ideal.
+    std::vector<std::uint64_t> weights;
+    std::uint64_t prime = 0;
+    std::uint64_t rank = 0;
+    std::vector<std::vector<std::uint32_t>> points; ///< values of the parameters, then of the constants
+
+    friend bool operator==(const DomainClaim&, const DomainClaim&) = default;
+};
+
 /// Why the equations are those of the closure of the image.
 enum class Theorem {
-    /// One equation; it vanishes, the dimension is one less than that of the space, and it is irreducible: so
-    /// it
-    /// generates the ideal of the image, which is principal. All of it is checked.
+    /// One equation; it vanishes, the dimension is one less than that of the space, and it is irreducible, or
+    /// of the least degree: so it generates the ideal of the image, which is principal. All of it is checked.
     hypersurface,
     /// No equation: the dimension is that of the space. All of it is checked.
     dense,
     /// The equations are a Groebner basis of the kernel of a homomorphism, made by elimination. That they
-    /// vanish,
-    /// and that the image has at least the dimension claimed, is checked; that there are no other
+    /// vanish, and that the image has at least the dimension claimed, is checked; that there are no other
     /// equations, and so the dimension, rests on the computation.
     elimination,
 };
@@ -81,6 +96,7 @@ struct Claims {
     std::vector<VanishingClaim> vanishing; ///< one an equation
     RankClaim rank;
     std::optional<SectionClaim> irreducible; ///< of a hypersurface
+    std::optional<DomainClaim> domain;       ///< of an input with relations, instead of these three
 
     friend bool operator==(const Claims&, const Claims&) = default;
 };
@@ -104,6 +120,7 @@ namespace eliminant {
 using implicit::Certificate;
 using implicit::CertificateInput;
 using implicit::Claims;
+using implicit::DomainClaim;
 using implicit::RankClaim;
 using implicit::SectionClaim;
 using implicit::Theorem;
