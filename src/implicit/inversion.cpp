@@ -4,6 +4,7 @@
 #include "eliminant/algebra/evaluation.hpp"
 #include "eliminant/base/error.hpp"
 #include "implicit/closure.hpp"
+#include "implicit/curve_inversion.hpp"
 #include "implicit/hypersurface.hpp"
 #include "implicit/map_degree.hpp"
 #include "implicit/map_of.hpp"
@@ -19,6 +20,7 @@
 
 namespace eliminant::implicit {
 
+namespace dense = algebra::dense;
 using algebra::Polynomial;
 using algebra::PrimeField;
 using algebra::Ring;
@@ -97,8 +99,9 @@ class FormulaModulo {
   public:
     /// \param graph the map with t as a coordinate
     /// \param ring of the coordinates of the graph
-    FormulaModulo(const RationalMap& graph, const Ring& ring, Columns& columns, base::Run& run)
-        : graph_(graph), ring_(ring), columns_(columns), run_(run) {}
+    /// \param t which of them is the parameter
+    FormulaModulo(const RationalMap& graph, const Ring& ring, std::size_t t, base::Run& run)
+        : graph_(graph), ring_(ring), t_(t), columns_(graph.components.size(), t), run_(run) {}
 
     std::optional<Polynomial> image(const PrimeField& field) {
         const bool divides_denominator = std::ranges::any_of(graph_.components, [&](const auto& c) {
@@ -109,16 +112,50 @@ class FormulaModulo {
         algebra::Random random(run_.seed() + field.characteristic());
         const PointSource points = [&] { return map.random_image(random); };
         const Ring ring = ring_.with_field(algebra::CoefficientField::prime(field.characteristic()));
-        if (support_.size() == 0) return learn(field, points, ring);
+        if (by_moving_lines_) return image_by_moving_lines(map, ring);
+        if (support_.size() == 0) {
+            if (auto f = learn(field, points, ring)) return f;
+            by_moving_lines_ = true;
+            return image_by_moving_lines(map, ring);
+        }
         const auto dependence = first_vanishing(field, support_, points, run_);
         if (!dependence || dependence->size() != support_.size()) return std::nullopt;
         return monic_polynomial(ring, support_, *dependence);
     }
 
   private:
-    Polynomial learn(const PrimeField& field, const PointSource& points, const Ring& ring) {
+    /// Of a plane curve, up to which the least degree is looked for: of 272 columns.
+    static constexpr std::uint64_t max_degree_of_curves = 15;
+
+    bool is_graph_over_plane_curve() const {
+        const Polynomial parameter = Polynomial::variable(graph_.ring, graph_.parameters.front());
+        return graph_.constants.empty() && graph_.parameters.size() == 1 && graph_.components.size() == 3 &&
+               graph_.components[t_].numerator == parameter && !graph_.components[t_].over_denominator;
+    }
+
+    std::optional<Polynomial> image_by_moving_lines(const MapModulo& map, const Ring& ring) const {
+        const PrimeField& field = map.field();
+        const std::size_t variable = graph_.parameters.front();
+        const MapModulo::Line whole =
+            map.restricted(std::vector<std::uint32_t>(graph_.ring.variable_count(), 0), variable);
+        MovingLine forms = {whole.denominator};
+        for (std::size_t i = 0, k = 1; i < 3; ++i) {
+            if (i == t_) continue;
+            forms[k++] = map.is_over_denominator(i)
+                             ? whole.numerators[i]
+                             : dense::multiply(field, whole.numerators[i], whole.denominator);
+        }
+        dense::Vector common;
+        for (const dense::Vector& form : forms) common = dense::gcd(field, std::move(common), form, run_);
+        for (dense::Vector& form : forms) form = dense::divide(field, form, common);
+        return curve_inversion_modulo(field, forms, ring, t_, run_.seed() + field.characteristic(), run_);
+    }
+
+    /// nullopt if there are too many columns before a formula.
+    std::optional<Polynomial> learn(const PrimeField& field, const PointSource& points, const Ring& ring) {
+        const std::uint64_t last = is_graph_over_plane_curve() ? max_degree_of_curves : ~std::uint64_t{0};
         // More columns than are needed cost less than trying one degree after the other.
-        for (std::uint64_t degree = 1;; degree += (degree + 3) / 4) {
+        for (std::uint64_t degree = 1;; degree = std::min(last, degree + (degree + 3) / 4)) {
             run_.report([&] {
                 return base::Progress{"search of a formula", 0, 0, "degree " + std::to_string(degree)};
             });
@@ -131,14 +168,17 @@ class FormulaModulo {
                 columns_.exclude_multiples(columns[dependence->size() - 1]);
                 columns = columns_.up_to(degree);
             }
+            if (degree == last) return std::nullopt;
         }
     }
 
     const RationalMap& graph_;
     const Ring& ring_;
-    Columns& columns_;
+    std::size_t t_;
+    Columns columns_;
     base::Run& run_;
     Support support_{0};
+    bool by_moving_lines_ = false;
 };
 
 /// Whether f is not zero as a function of the parameters: it is not at a point modulo a prime.
@@ -164,8 +204,7 @@ Polynomial formula_of_graph(const RationalMap& graph, const Ring& ring, std::siz
     constexpr int attempts = 4;
     std::uint64_t prime_bound = Echelon::prime_bound;
     for (int i = 0; i < attempts; ++i, prime_bound -= prime_bound / 8) {
-        Columns columns(graph.components.size(), t);
-        FormulaModulo formula(graph, ring, columns, run);
+        FormulaModulo formula(graph, ring, t, run);
         const auto found = equation_from_images(
             ring, prime_bound, [&](const PrimeField& field) { return formula.image(field); }, run);
         if (found && is_nonzero_on_image(graph, coefficient(found->equation, t, 1), run) &&

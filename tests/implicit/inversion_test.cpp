@@ -134,6 +134,38 @@ TEST(Inversion, IsOfLeastDegree) {
     EXPECT_LE(quintic.parameters.at(0).value.numerator.total_degree(), 3);
 }
 
+TEST(Inversion, OfPlaneCurvesOfHighDegreeComesFromMovingLines) {
+    std::mt19937_64 random(7);
+    const auto expect_degree = [](const std::string& text, std::int64_t degree) {
+        // The identity is what inversion() proves; here it is looked at again at a point.
+        const Inversion found = inversion_of(text);
+        ASSERT_EQ(found.parameters.size(), 1U) << text;
+        const auto& [numerator, denominator] = found.parameters[0].value;
+        EXPECT_EQ(std::max(numerator.total_degree(), denominator.total_degree()), degree) << text;
+        const Parametrization parametrization = parametrization_of(text);
+        for (const mpq_class& t : {mpq_class(2), mpq_class(-3, 7)}) {
+            std::vector<mpq_class> point;
+            for (const Coordinate& coordinate : parametrization.coordinates())
+                point.emplace_back(evaluate(coordinate.value.numerator, std::span(&t, 1)) /
+                                   evaluate(coordinate.value.denominator, std::span(&t, 1)));
+            EXPECT_EQ(evaluate(numerator, point), t * evaluate(denominator, point)) << text;
+            EXPECT_NE(evaluate(denominator, point), 0) << text;
+        }
+    };
+    for (const std::uint32_t degree : {18U, 21U}) {
+        const std::string x = random_polynomial(random, 0, degree);
+        const std::string y = random_polynomial(random, 0, degree);
+        const std::string w = random_polynomial(random, 0, degree);
+        std::string polynomial = "x = ";
+        expect_degree(polynomial.append(x).append("\ny = ").append(y), degree - 2);
+        std::string rational = "x = (";
+        rational.append(x).append(")/(").append(w).append(")\ny = (").append(y);
+        expect_degree(rational.append(")/(").append(w).append(")"), degree - 2);
+    }
+    expect_degree("x = t^30+t^2\ny = t^29-t", 28);
+    expect_degree("x = t^40\ny = t", 1);
+}
+
 TEST(Inversion, NeedsAnInjectiveMap) {
     const Inversion twice = inversion_of("x = t^2\ny = t^4+t^2");
     EXPECT_EQ(twice.parametrization_degree, 2U);
