@@ -63,11 +63,13 @@ class PreimagesCommand : public Command {
             "rational\n"
             "value, as 's = 1/2, t = 3'; the others as the zeros of polynomials, a line with all equations "
             "of a\n"
-            "set of them, as 's^2-2 = 0, t-s = 0'; so too if they are infinitely many. Nothing, and exit "
-            "status "
-            "1,\n"
-            "if the point is not reached. Where a coordinate is not defined (base points) no point is "
-            "reached.\n" +
+            "set of them, as 's^2-2 = 0, t-s = 0'; so too if they are infinitely many. Values at which a "
+            "coordinate\n"
+            "is not defined (base points) reach nothing: where such are among infinitely many zeros, the "
+            "line ends\n"
+            "with what is not zero, as 's-t = 0, t != 0'. Nothing, and exit status 1, if the point is not "
+            "reached;\n"
+            "if it is the limit of a curve for t to infinity, standard error says so.\n" +
             std::string(input_help) +
             "\n"
             "Examples:\n"
@@ -88,6 +90,9 @@ class PreimagesCommand : public Command {
             read_parametrization(operands, session.run()), owner_of_constants, session.run());
         const Preimages found =
             preimages(parametrization, point_.read(parametrization.coordinates().size()), session.run());
+        if (found.is_limit_at_infinity)
+            session.console().warning("the point is the limit for " + found.ring.names().front() +
+                                      " to infinity" + (found.dimension < 0 ? ", which is no value" : ""));
         session.write_result(session.format() == ResultFormat::json ? json(found, session.run())
                                                                     : text(found, session.run()));
         return found.dimension < 0 ? exit_negative : exit_done;
@@ -111,7 +116,10 @@ class PreimagesCommand : public Command {
                 separator = ", ";
             }
             // All values reach the point only if it is the whole image.
-            result.append(separator.empty() ? "0 = 0\n" : "\n");
+            if (separator.empty()) result += "0 = 0";
+            for (const Polynomial& f : found.excluded)
+                result.append(", ").append(to_string(f)).append(" != 0");
+            result += '\n';
         }
         return result;
     }
@@ -122,6 +130,11 @@ class PreimagesCommand : public Command {
         result["dimension"] = found.dimension;
         result["count"] = nullptr;
         if (found.count) result["count"] = found.count->get_ui();
+        result["real_count"] = nullptr;
+        if (found.real_count) result["real_count"] = found.real_count->get_ui();
+        result["has_real"] = nullptr;
+        if (found.has_real) result["has_real"] = *found.has_real;
+        result["limit_at_infinity"] = found.is_limit_at_infinity;
         result["rational"] = Json::array();
         for (const std::vector<mpq_class>& values : found.rational) {
             Json numbers = Json::array();
@@ -131,6 +144,7 @@ class PreimagesCommand : public Command {
         result["components"] = Json::array();
         for (const Ideal& component : found.components)
             result["components"].push_back(strings(component.groebner_basis(MonomialOrder::lex(), run)));
+        result["nonzero"] = strings(found.excluded);
         return to_text(result);
     }
 
@@ -146,21 +160,26 @@ class ContainsPointCommand : public Command {
         static const std::string text =
             "Whether a point lies on the closure of the image of a parametrization, where its implicit "
             "equations\n"
-            "are zero; with --image, whether parameters, perhaps complex ones, reach it. Prints true or "
-            "false; "
-            "the\n"
-            "exit status is 0 or 1.\n" +
+            "are zero. That is more than the image: with --image, whether parameters, perhaps complex ones, "
+            "reach it;\n"
+            "with --real, whether real parameters do. Whitney's umbrella x = s*t, y = s, z = t^2 has the "
+            "points\n"
+            "(0, 0, z) with z < 0 in its closure and its image, but reaches them with complex t only. Prints "
+            "true or\n"
+            "false; the exit status is 0 or 1.\n" +
             std::string(input_help) +
             "\n"
             "Examples:\n"
             "  eliminant contains-point 'x = (1-t^2)/(1+t^2)' 'y = 2t/(1+t^2)' --at '3/5,4/5'\n"
-            "  eliminant contains-point 'x = (1-t^2)/(1+t^2)' 'y = 2t/(1+t^2)' --at '-1,0' --image\n";
+            "  eliminant contains-point 'x = (1-t^2)/(1+t^2)' 'y = 2t/(1+t^2)' --at '-1,0' --image\n"
+            "  eliminant contains-point 'x = s*t' 'y = s' 'z = t^2' --at '0,0,-1' --real\n";
         return text;
     }
 
     void declare(OptionSet& options) override {
         point_.declare(options);
         options.flag("image", 0, "the image itself, not its closure", image_);
+        options.flag("real", 0, "the image of real parameters", real_);
         constants_.declare(options);
     }
 
@@ -169,9 +188,7 @@ class ContainsPointCommand : public Command {
         const Parametrization parametrization = constants_.put_into(
             read_parametrization(operands, session.run()), owner_of_constants, session.run());
         const std::vector<mpq_class> point = point_.read(parametrization.coordinates().size());
-        const bool contains =
-            image_ ? preimages(parametrization, point, session.run()).dimension >= 0
-                   : closure_contains(implicitize(parametrization, {}, session.run()), point, session.run());
+        const bool contains = this->contains(parametrization, point, session.run());
         const std::string word = contains ? "true" : "false";
         session.write_result(session.format() == ResultFormat::json ? "{\"contains\":" + word + "}\n"
                                                                     : word + "\n");
@@ -179,9 +196,21 @@ class ContainsPointCommand : public Command {
     }
 
   private:
+    bool contains(const Parametrization& parametrization, std::span<const mpq_class> point, Run& run) const {
+        if (!image_ && !real_) return closure_contains(implicitize(parametrization, {}, run), point, run);
+        const Preimages found = preimages(parametrization, point, run);
+        if (!real_) return found.dimension >= 0;
+        if (!found.has_real)
+            throw DomainError(
+                "contains-point: infinitely many complex parameter values reach the point; whether "
+                "real ones do could not be decided");
+        return *found.has_real;
+    }
+
     PointOption point_;
     ConstantValues constants_;
     bool image_ = false;
+    bool real_ = false;
 };
 
 } // namespace

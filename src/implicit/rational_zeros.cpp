@@ -56,7 +56,45 @@ PrimeField good_prime(const std::vector<mpz_class>& f, base::Run& run) {
     }
 }
 
+void divide_by_content(std::vector<mpz_class>& f) {
+    mpz_class content = 0;
+    for (const mpz_class& c : f) content = gcd(content, c);
+    if (content > 1)
+        for (mpz_class& c : f) c /= content;
+}
+
+/// A positive multiple of −(f mod g), without content.
+std::vector<mpz_class> negated_remainder(std::vector<mpz_class> f, const std::vector<mpz_class>& g,
+                                         base::Run& run) {
+    const mpz_class magnitude = abs(g.back());
+    while (f.size() >= g.size()) {
+        run.poll();
+        const mpz_class factor = g.back() > 0 ? f.back() : mpz_class(-f.back());
+        for (mpz_class& c : f) c *= magnitude;
+        for (std::size_t i = 0; i < g.size(); ++i) f[f.size() - g.size() + i] -= factor * g[i];
+        while (!f.empty() && f.back() == 0) f.pop_back();
+    }
+    divide_by_content(f);
+    for (mpz_class& c : f) c = -c;
+    return f;
+}
+
 } // namespace
+
+std::size_t count_real_zeros(const Polynomial& polynomial, base::Run& run) {
+    if (polynomial.is_constant()) return 0;
+    std::vector<mpz_class> f = coefficients_of(polynomial.primitive_part());
+    std::vector<mpz_class> g = derivative_of(f);
+    std::int64_t difference = 0; // of sign changes at −∞ and at +∞
+    while (!g.empty()) {
+        const bool changes_right = sgn(f.back()) != sgn(g.back());
+        const bool same_parity = (f.size() - g.size()) % 2 == 0;
+        difference += (changes_right == same_parity ? 1 : 0) - (changes_right ? 1 : 0);
+        std::vector<mpz_class> next = negated_remainder(std::move(f), g, run);
+        f = std::exchange(g, std::move(next));
+    }
+    return static_cast<std::size_t>(difference);
+}
 
 std::vector<mpq_class> rational_zeros(const Polynomial& polynomial, base::Run& run) {
     if (polynomial.is_constant()) return {};

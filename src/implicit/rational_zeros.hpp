@@ -1,4 +1,4 @@
-// Rational zeros of polynomials in one variable.
+// Rational and real zeros of polynomials in one variable.
 #pragma once
 
 #include "eliminant/algebra/polynomial.hpp"
@@ -6,6 +6,7 @@
 
 #include <gmpxx.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace eliminant::implicit {
@@ -17,5 +18,9 @@ namespace eliminant::implicit {
 /// |aᵢ|) the integer a_k·n/d is known, of which Cauchy's bound says that it is not larger (von zur Gathen and
 /// Gerhard, Modern Computer Algebra, §15.6). What is found is confirmed by division.
 std::vector<mpq_class> rational_zeros(const algebra::Polynomial& polynomial, base::Run& run);
+
+/// How many distinct real zeros a nonzero polynomial over ℚ in one variable has: by Sturm's theorem, from the
+/// signs of its remainder sequence at both infinities.
+std::size_t count_real_zeros(const algebra::Polynomial& polynomial, base::Run& run);
 
 } // namespace eliminant::implicit

@@ -196,7 +196,7 @@ TEST(Implicitize, ReadsTheTeapot) {
 TEST(Implicitize, TheVerboseAreToldTheProof) {
     const ProcessResult result = run(with(circle, {"-v"}));
     EXPECT_EQ(result.output, "x^2+y^2-1\n");
-    for (const char* part : {"method: resultant", "assurance: proved: ", "seconds: "})
+    for (const char* part : {"method: linear", "predicted: linear ", "assurance: proved: ", "seconds: "})
         EXPECT_NE(result.errors.find(part), std::string::npos) << part;
 }
 

@@ -17,8 +17,14 @@ TEST(Preimages, ArePrintedALineEach) {
     expect_output(ask({"preimages", "--at", "3,2,-1"}, {"x = s+t", "y = s*t", "z = s-t"}), "s = 1, t = 2\n");
     expect_output(ask({"preimages", "--at", "0,0,0"}, {"x = s*t", "y = s", "z = s^2"}), "s = 0\n");
     expect_output(ask({"preimages", "--format", "json", "--at", "0,0"}, node),
-                  "{\"parameters\":[\"t\"],\"dimension\":0,\"count\":2,\"rational\":[[\"-1\"],[\"1\"]],"
-                  "\"components\":[]}\n");
+                  "{\"parameters\":[\"t\"],\"dimension\":0,\"count\":2,\"real_count\":2,\"has_real\":true,"
+                  "\"limit_at_infinity\":false,\"rational\":[[\"-1\"],[\"1\"]],\"components\":[],"
+                  "\"nonzero\":[]}\n");
+    expect_output(ask({"preimages", "--at", "1,1"}, {"x = s/t", "y = s^2/t^2"}), "s-t = 0, t != 0\n");
+    const ProcessResult limit = ask({"preimages", "--at", "-1,0"}, {"x = (1-t^2)/(1+t^2)", "y = 2t/(1+t^2)"});
+    EXPECT_EQ(limit.output, "");
+    EXPECT_EQ(limit.status, 1);
+    EXPECT_NE(limit.errors.find("the limit for t to infinity"), std::string::npos) << limit.errors;
     const ProcessResult none = ask({"preimages", "--at", "5,5"}, node);
     EXPECT_EQ(none.output, "");
     EXPECT_EQ(none.errors, "");
@@ -34,6 +40,11 @@ TEST(ContainsPoint, IsAPredicate) {
     const ProcessResult image = ask({"contains-point", "--image", "--at", "-1,0"}, circle);
     EXPECT_EQ(image.output, "false\n");
     EXPECT_EQ(image.status, 1);
+    const std::vector<std::string> umbrella{"x = s*t", "y = s", "z = t^2"};
+    for (const std::string option : {"--image", "--real"})
+        EXPECT_EQ(ask({"contains-point", option, "--at", "0,0,4"}, umbrella).output, "true\n");
+    EXPECT_EQ(ask({"contains-point", "--image", "--at", "0,0,-4"}, umbrella).output, "true\n");
+    EXPECT_EQ(ask({"contains-point", "--real", "--at", "0,0,-4"}, umbrella).output, "false\n");
     const ProcessResult outside = ask({"contains-point", "--format", "json", "--at", "1,1"}, circle);
     EXPECT_EQ(outside.output, "{\"contains\":false}\n");
     EXPECT_EQ(outside.status, 1);

@@ -130,6 +130,71 @@ TEST(Preimages, MayBeInfinitelyManyOrNone) {
     EXPECT_EQ(preimages_of("relation s^2+t^2 = 1\nx = s\ny = t", {2, 0}).dimension, -1);
 }
 
+TEST(RationalZeros, RealOnesAreCountedBySturmsTheorem) {
+    std::mt19937_64 random(3);
+    const Ring ring(CoefficientField::rationals(), {"t"});
+    const Polynomial t = Polynomial::variable(ring, 0);
+    const auto constant = [&](int value) { return Polynomial::constant(ring, value); };
+    base::Run run;
+    for (int i = 0; i < 60; ++i) {
+        Polynomial f = constant(random() % 2 == 0 ? 3 : -5);
+        std::set<int> roots; // doubled, and squared with a sign
+        for (std::size_t k = random() % 4; k-- > 0;) {
+            const int root = static_cast<int>(random() % 21) - 10;
+            roots.insert(4 * root * std::abs(root));
+            f *= pow(t - constant(root), 1 + random() % 3);
+        }
+        for (std::size_t k = random() % 3; k-- > 0;) {
+            const int square = 1 + static_cast<int>(random() % 60); // t = ±√(square/4) − no integers
+            if (square % 2 == 0) continue;
+            roots.insert({square, -square});
+            f *= constant(4) * t * t - constant(square);
+        }
+        for (std::size_t k = random() % 3; k-- > 0;)
+            f *= t * t + t + constant(1 + static_cast<int>(random() % 9));
+        EXPECT_EQ(count_real_zeros(f, run), roots.size()) << to_string(f);
+    }
+    EXPECT_EQ(count_real_zeros(constant(7), run), 0U);
+}
+
+TEST(Preimages, SayWhichAreReal) {
+    const std::string whitney = "x = s*t\ny = s\nz = t^2";
+    const Preimages stick = preimages_of(whitney, {0, 0, -1});
+    EXPECT_EQ(stick.count, mpz_class(2));
+    EXPECT_EQ(stick.real_count, mpz_class(0));
+    EXPECT_EQ(stick.has_real, false);
+    EXPECT_EQ(preimages_of(whitney, {0, 0, 2}).real_count, mpz_class(2));
+    EXPECT_EQ(preimages_of(whitney, {6, 2, 9}).real_count, mpz_class(1));
+    EXPECT_EQ(preimages_of(whitney, {6, 2, 8}).has_real, false);
+    // t³ = 2 once, not three times; and pairs of conjugate numbers with equal first coordinates.
+    EXPECT_EQ(preimages_of("x = t^3\ny = t^6", {2, 4}).real_count, mpz_class(1));
+    EXPECT_EQ(preimages_of("x = s^2\ny = t^2", {2, 3}).real_count, mpz_class(4));
+    EXPECT_EQ(preimages_of("x = s^2\ny = t^2", {2, -3}).real_count, mpz_class(0));
+    // Infinitely many: a real line, and two complex ones that meet in a real point.
+    EXPECT_EQ(preimages_of("x = s*t\ny = s\nz = s^2", {0, 0, 0}).has_real, true);
+    const Preimages conjugate_lines = preimages_of("x = s^2+t^2\ny = x1*(s^2+t^2)", {-1, 0});
+    EXPECT_NE(conjugate_lines.has_real, true);
+}
+
+TEST(Preimages, LeaveOutBasePointsAndInfinity) {
+    const Preimages line = preimages_of("x = s/t\ny = s^2/t^2", {1, 1});
+    EXPECT_EQ(line.dimension, 1);
+    EXPECT_EQ(components_of(line), std::vector<std::string>{"s-t"});
+    EXPECT_EQ(joined(line.excluded), "t");
+    EXPECT_EQ(line.has_real, true);
+    const std::string circle = "x = (1-t^2)/(1+t^2)\ny = 2*t/(1+t^2)";
+    EXPECT_TRUE(preimages_of(circle, {-1, 0}).is_limit_at_infinity);
+    EXPECT_FALSE(preimages_of(circle, {1, 0}).is_limit_at_infinity);
+    EXPECT_FALSE(preimages_of("x = t\ny = 1/t", {0, 0}).is_limit_at_infinity);
+    // Reached, and the limit too.
+    const Preimages both = preimages_of("x = 1/(t^2+1)\ny = (t-1)/(t^3+1)", {0, 0});
+    EXPECT_TRUE(both.is_limit_at_infinity);
+    EXPECT_EQ(both.dimension, -1);
+    const Preimages twice = preimages_of("x = t/(t^2+1)\ny = t^2/(t^4+1)", {0, 0});
+    EXPECT_TRUE(twice.is_limit_at_infinity);
+    EXPECT_EQ(twice.rational, (std::vector<Values>{{0}}));
+}
+
 TEST(Preimages, RefuseWhatHasNoAnswer) {
     EXPECT_THROW(preimages_of("x = t\ny = t^2", {1}), DomainError);
     EXPECT_THROW(preimages_of("constants r\nx = r*t\ny = t^2", {1, 1}), DomainError);

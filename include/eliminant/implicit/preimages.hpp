@@ -27,14 +27,26 @@ struct Preimages {
     /// If they are finitely many, those that are rational: a number for each parameter.
     std::vector<std::vector<mpq_class>> rational;
     /// The others, as the zeros of radical ideals of `ring`, which have no zeros in common; the whole fibre
-    /// if it is infinite.
+    /// if it is infinite, but for the zeros of `excluded`.
     std::vector<ideal::Ideal> components;
+    /// Of an infinite fibre: denominators that are zero somewhere on the components, where the map is not
+    /// defined.
+    std::vector<algebra::Polynomial> excluded = {};
+    /// How many values that reach the point are real; nullopt if infinitely many values reach it.
+    std::optional<mpz_class> real_count = {};
+    /// Whether real values reach the point. nullopt if infinitely many values do, of which no real one was
+    /// met: that there are none is not decided then.
+    std::optional<bool> has_real = false;
+    /// Whether the point is the limit of the images for t → ∞, which is no value of t. For maps of one
+    /// parameter without relations; false for others.
+    bool is_limit_at_infinity = false;
 };
 
 /// The preimages of a point. Its ideal is the one of the equations nᵢ − pᵢdᵢ = 0, for coordinates nᵢ/dᵢ, and
 /// of the relations, without components on which a denominator is zero: there base points are, which have no
 /// image. For curves it is a gcd, otherwise a Groebner basis over ℚ; rational values are split off by the
-/// rational zeros of minimal polynomials.
+/// rational zeros of minimal polynomials. Real values are counted as real zeros of the minimal polynomial of
+/// a linear form that has different values at all of them.
 ///
 /// `point` has a number for each coordinate.
 /// \throws DomainError if there are symbolic constants, or if the point has another number of coordinates
