@@ -37,7 +37,12 @@ struct ResidueRows {
     void (*multiply)(std::uint32_t* x, const std::uint32_t* y, std::size_t n, std::uint32_t p);
 };
 
-/// The loops for a unit that runs here; portable ones for a unit that has none of its own.
-const ResidueRows& residue_rows(base::VectorUnit unit = base::best_vector_unit()) noexcept;
+/// Defined for each unit by residue_rows_per_unit.cpp.
+template <base::VectorUnit unit>
+const ResidueRows& residue_rows_of() noexcept;
+
+inline const ResidueRows& residue_rows(base::VectorUnit unit = base::best_vector_unit()) noexcept {
+    return *base::with_unit(unit, [](auto u) { return &residue_rows_of<u()>(); });
+}
 
 } // namespace eliminant::algebra

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace eliminant::base {
 
-/// The instruction sets for which some kernels exist twice. `portable` is plain C++ and runs everywhere; it
+/// The instruction sets for which some kernels are compiled. `portable` is plain C++ and runs everywhere; it
 /// is what the others are tested against.
 enum class VectorUnit : unsigned char {
     portable,
@@ -24,5 +25,24 @@ std::vector<VectorUnit> available_vector_units();
 
 /// As `avx2`.
 std::string_view name(VectorUnit unit) noexcept;
+
+/// visit(std::integral_constant<VectorUnit, unit>{}), or that of `portable` for a unit of other machines: how
+/// the instance of a kernel (pack.hpp) is chosen.
+template <class Visitor>
+auto with_unit(VectorUnit unit, const Visitor& visit) {
+    switch (unit) {
+#if defined(__x86_64__)
+    case VectorUnit::avx512:
+        return visit(std::integral_constant<VectorUnit, VectorUnit::avx512>{});
+    case VectorUnit::avx2:
+        return visit(std::integral_constant<VectorUnit, VectorUnit::avx2>{});
+#elif defined(__aarch64__)
+    case VectorUnit::neon:
+        return visit(std::integral_constant<VectorUnit, VectorUnit::neon>{});
+#endif
+    default:
+        return visit(std::integral_constant<VectorUnit, VectorUnit::portable>{});
+    }
+}
 
 } // namespace eliminant::base

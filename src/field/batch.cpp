@@ -2,7 +2,7 @@
 
 #include "eliminant/base/error.hpp"
 
-#include "field/batch_units.hpp"
+#include "field/batch_kernel.hpp"
 #include "field/compiled_data.hpp"
 
 #include <algorithm>
@@ -41,17 +41,8 @@ void evaluate_batch(base::VectorUnit unit, const CompiledPolynomial& f, const Re
         arrays.point[i] = columns[program.is_plain() ? scheme.coordinates[i] : i].data();
     for (std::size_t k = 0; k < jet_size; ++k)
         arrays.jet[k] = results[program.is_plain() ? scheme.components[k] : k].data();
-    const std::size_t count = points.x.size();
-    switch (unit) {
-#if defined(__x86_64__)
-    case base::VectorUnit::avx512:
-        return batch_avx512(program, coefficients, arrays, count);
-    case base::VectorUnit::avx2:
-        return batch_avx2(program, coefficients, arrays, count);
-#endif
-    default: // on arm64 the portable kernel's vectors are those of NEON
-        return batch_portable(program, coefficients, arrays, count);
-    }
+    base::with_unit(unit,
+                    [&](auto u) { evaluate_arrays<u()>(program, coefficients, arrays, points.x.size()); });
 }
 
 } // namespace

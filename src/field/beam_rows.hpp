@@ -45,18 +45,13 @@ inline double beam_row_rounding(std::size_t degree) {
     return (4.0 * static_cast<double>(degree) + first_root_rounding(degree)) * 0x1p-53;
 }
 
-/// The first root of each ray of the row.
-using BeamRowSolver = void (*)(const BeamRow& row);
-BeamRowSolver beam_row_solver(base::VectorUnit unit);
+/// The first root of each ray of the row; defined for each unit by beam_rows_per_unit.cpp.
+template <base::VectorUnit unit>
+void solve_beam_row(const BeamRow& row);
 
-/// The two entries of each instruction set's file.
-namespace detail {
-void solve_beam_row_portable(const BeamRow& row);
-void solve_beam_row_avx2(const BeamRow& row);
-void solve_beam_row_avx512(const BeamRow& row);
-void first_roots_portable(const FirstRootBatch& batch);
-void first_roots_avx2(const FirstRootBatch& batch);
-void first_roots_avx512(const FirstRootBatch& batch);
-} // namespace detail
+using BeamRowSolver = void (*)(const BeamRow& row);
+inline BeamRowSolver beam_row_solver(base::VectorUnit unit) {
+    return base::with_unit(unit, [](auto u) -> BeamRowSolver { return solve_beam_row<u()>; });
+}
 
 } // namespace eliminant::field

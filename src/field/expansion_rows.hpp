@@ -48,12 +48,12 @@ struct Expander {
     void (*expand)(const ExpansionView& f, const double* const* points, double* workspace, double* rows);
     std::size_t lanes;
 };
-Expander expander(base::VectorUnit unit);
+/// Defined for each unit by expansion_rows_per_unit.cpp.
+template <base::VectorUnit unit>
+Expander expander_of();
 
-namespace detail {
-void expand_portable(const ExpansionView&, const double* const* points, double* workspace, double* rows);
-void expand_avx2(const ExpansionView&, const double* const* points, double* workspace, double* rows);
-void expand_avx512(const ExpansionView&, const double* const* points, double* workspace, double* rows);
-} // namespace detail
+inline Expander expander(base::VectorUnit unit) {
+    return base::with_unit(unit, [](auto u) { return expander_of<u()>(); });
+}
 
 } // namespace eliminant::field

@@ -1,7 +1,8 @@
 #include "first_root.hpp"
 
 #include "first_root_kernel.hpp"
-#include "single_pack.hpp"
+
+#include "base/pack_portable.hpp"
 
 #include <array>
 #include <cmath>
@@ -13,9 +14,7 @@ namespace {
 
 /// One number of 106 bits as a Pack.
 struct WidePack {
-    using Mask = SinglePack::Mask;
-    static constexpr int most_pieces = 200;
-    static constexpr double shortest_piece = 0x1p-46; // then the interval's ends are known no better
+    using Mask = base::Doubles::Mask;
     DoubleDouble v;
 
     static WidePack all(double x) { return {{x, 0.0}}; }
@@ -36,13 +35,18 @@ struct WidePack {
     friend WidePack select(Mask mask, WidePack a, WidePack b) { return mask.bit ? a : b; }
 };
 
+struct WideLimits {
+    static constexpr int most_pieces = 200;
+    static constexpr double shortest_piece = 0x1p-46; // then the interval's ends are known no better
+};
+
 double to_double(double x) { return x; }
 double to_double(DoubleDouble x) { return x.high; }
 
-double high_part(SinglePack x) { return x.v; }
+double high_part(base::Doubles x) { return x.v; }
 double high_part(WidePack x) { return x.v.high; }
 
-template <class Pack, class Number>
+template <class Pack, class Limits, class Number>
 FirstRootAnswer search(std::span<const Number> coefficients, double error, double unit, double lower,
                        double upper) {
     const std::size_t n = coefficients.size() - 1;
@@ -53,7 +57,7 @@ FirstRootAnswer search(std::span<const Number> coefficients, double error, doubl
         magnitude += std::fabs(to_double(coefficients[i]));
     }
     error += first_root_rounding(n) * unit * magnitude * (1.0 + 0x1p-30);
-    const FirstRoot<Pack, 0> find(static_cast<int>(n), bernstein_matrix(n), error);
+    const FirstRoot<Pack, 0, Limits> find(static_cast<int>(n), bernstein_matrix(n), error);
     const auto answer = find.find(c.data(), Pack::all(lower), Pack::all(upper));
     const double start = high_part(answer.start);
     return {answer.undecided.bit ? RayState::undecided
@@ -91,12 +95,12 @@ BernsteinMatrix make_bernstein_matrix(std::size_t n) {
 } // namespace
 
 FirstRootAnswer first_root(std::span<const double> coefficients, double error, double lower, double upper) {
-    return search<SinglePack>(coefficients, error, 0x1p-53, lower, upper);
+    return search<base::Doubles, DoubleLimits>(coefficients, error, 0x1p-53, lower, upper);
 }
 
 FirstRootAnswer first_root(std::span<const DoubleDouble> coefficients, double error, double lower,
                            double upper) {
-    return search<WidePack>(coefficients, error, DoubleDouble::unit, lower, upper);
+    return search<WidePack, WideLimits>(coefficients, error, DoubleDouble::unit, lower, upper);
 }
 
 const double* bernstein_matrix(std::size_t degree) {

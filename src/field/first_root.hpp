@@ -65,7 +65,13 @@ struct FirstRootBatch {
     double* root = nullptr;
     RayState* state = nullptr;
 };
+/// Defined for each unit by beam_rows_per_unit.cpp.
+template <base::VectorUnit unit>
+void first_roots(const FirstRootBatch& batch);
+
 using FirstRootSolver = void (*)(const FirstRootBatch&);
-FirstRootSolver first_root_solver(base::VectorUnit unit);
+inline FirstRootSolver first_root_solver(base::VectorUnit unit) {
+    return base::with_unit(unit, [](auto u) -> FirstRootSolver { return first_roots<u()>; });
+}
 
 } // namespace eliminant::field

@@ -8,9 +8,9 @@
 // Inlined for each index of an unrolled loop, so that the index is a constant.
 #define ELIMINANT_INLINE __attribute__((always_inline))
 
-/// The first root of one polynomial a lane, in lockstep. A Pack is a register of numbers: doubles of some
-/// vector unit, one double, one number of more precision. It is instantiated in an unnamed namespace by each
-/// file that has a Pack, so that no instance is shared between instruction sets.
+/// The first root of one polynomial a lane, in lockstep. A Pack is base::Doubles (base/pack.hpp) of some
+/// vector unit, or one number of more precision. In an unnamed namespace, so that no instance is shared
+/// between instruction sets.
 ///
 /// Every lane walks along its own interval [lower, upper]. On the piece before it, the polynomial is expanded
 /// about the middle, changed to the Bernstein basis, and asked for its sign changes (Descartes' rule):
@@ -21,11 +21,16 @@
 ///
 /// A coefficient counts as signed only when it exceeds the error bound, so these statements hold for the
 /// exact polynomial. A lane whose pieces become too short is undecided and left to more precise arithmetic.
+namespace eliminant::field {
 namespace {
 
-using eliminant::field::max_kernel_degree;
+/// How far the search goes down in arithmetic of 53 bits.
+struct DoubleLimits {
+    static constexpr int most_pieces = 48;
+    static constexpr double shortest_piece = 0x1p-22;
+};
 
-template <class Pack, int fixed_degree>
+template <class Pack, int fixed_degree, class Limits = DoubleLimits>
 class FirstRoot {
     using Mask = typename Pack::Mask;
 
@@ -82,13 +87,13 @@ class FirstRoot {
         // A radius slightly too large closes the gaps that rounding leaves between neighbouring pieces.
         const Pack overlap = Pack::all(1.0 + 0x1p-50);
         const Pack margin = Pack::all(0x1p-52);
-        const Pack shortest = Pack::all(Pack::shortest_piece);
+        const Pack shortest = Pack::all(Limits::shortest_piece);
         Mask walking = ~(lower > upper);
         Pack left = lower;
         Pack right = upper;
         Bracket bracket{lower, upper, lower, upper};
         Answer answer{lower, Pack::all(0.0), Pack::nowhere(), Pack::nowhere(), Pack::nowhere(), 0};
-        for (; answer.steps < Pack::most_pieces && any(walking); ++answer.steps) {
+        for (; answer.steps < Limits::most_pieces && any(walking); ++answer.steps) {
             const Pack middle = (left + right) * half;
             const Pack radius = fma((right - left) * half, overlap, margin);
             const Signs signs = signs_on(c, middle, radius);
@@ -134,12 +139,12 @@ class FirstRoot {
         const Pack half = Pack::all(0.5);
         const Pack overlap = Pack::all(1.0 + 0x1p-50);
         const Pack margin = Pack::all(0x1p-52);
-        const Pack shortest = Pack::all(Pack::shortest_piece);
+        const Pack shortest = Pack::all(Limits::shortest_piece);
         Mask walking = ~(lower > upper);
         Pack left = lower;
         Pack right = upper;
         Existence answer{Pack::nowhere(), Pack::nowhere()};
-        for (int steps = 0; steps < Pack::most_pieces && any(walking); ++steps) {
+        for (int steps = 0; steps < Limits::most_pieces && any(walking); ++steps) {
             const Pack middle = (left + right) * half;
             const Pack radius = fma((right - left) * half, overlap, margin);
             const Signs signs = signs_on(c, middle, radius);
@@ -249,9 +254,8 @@ class FirstRoot {
         value_and_slope(c, x - reach, behind, slope);
         value_and_slope(c, x + reach, ahead, slope);
         const Mask sure = (abs(behind) > error_) & (abs(ahead) > error_) & Pack::opposite(behind, ahead) &
-                          ~Pack::opposite(behind, left_value) &
-                          (Pack::all(eliminant::field::root_precision) > reach) & ~(bracket.left > x) &
-                          ~(x > bracket.right);
+                          ~Pack::opposite(behind, left_value) & (Pack::all(root_precision) > reach) &
+                          ~(bracket.left > x) & ~(x > bracket.right);
         answer.undecided = answer.undecided | (answer.found & ~sure);
         answer.found = answer.found & sure;
         answer.root = x;
@@ -288,3 +292,4 @@ void with_fixed_degree(std::size_t degree, const Visitor& visit) {
 }
 
 } // namespace
+} // namespace eliminant::field

@@ -2,24 +2,8 @@
 
 #include "field/compiled_data.hpp"
 #include "field/distance_data.hpp"
-#include "ray_stars_kernel.hpp"
-#include "single_pack.hpp"
 
 namespace eliminant::field {
-
-void detail::solve_stars_portable(const StarPolynomial& f, const StarRays& rays, std::size_t first,
-                                  double* workspace) {
-    solve_stars<SinglePack>(f, rays, first, workspace);
-}
-
-StarSolver star_solver(base::VectorUnit unit) {
-#if defined(__x86_64__)
-    if (unit == base::VectorUnit::avx512) return {detail::solve_stars_avx512, 8};
-    if (unit == base::VectorUnit::avx2) return {detail::solve_stars_avx2, 4};
-#endif
-    static_cast<void>(unit);
-    return {detail::solve_stars_portable, 1};
-}
 
 StarRoots::StarRoots(const DistanceField& f) {
     const CompiledData& data = f.polynomial().data();

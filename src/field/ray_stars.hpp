@@ -57,13 +57,13 @@ struct StarSolver {
     void (*solve)(const StarPolynomial& f, const StarRays& rays, std::size_t first, double* workspace);
     std::size_t lanes; ///< divides StarRays::padding
 };
-StarSolver star_solver(base::VectorUnit unit);
+/// Defined for each unit by ray_stars_per_unit.cpp.
+template <base::VectorUnit unit>
+StarSolver star_solver_of();
 
-namespace detail {
-void solve_stars_portable(const StarPolynomial&, const StarRays&, std::size_t first, double* workspace);
-void solve_stars_avx2(const StarPolynomial&, const StarRays&, std::size_t first, double* workspace);
-void solve_stars_avx512(const StarPolynomial&, const StarRays&, std::size_t first, double* workspace);
-} // namespace detail
+inline StarSolver star_solver(base::VectorUnit unit) {
+    return base::with_unit(unit, [](auto u) { return star_solver_of<u()>(); });
+}
 
 /// A polynomial that answers for stars of rays: its Taylor expansion at a point serves all rays from there.
 ///

@@ -81,7 +81,12 @@ struct LaneKernels {
                        const std::uint32_t* lengths, std::size_t count, LaneEntry* result);
 };
 
-/// The kernels for a vector unit that this machine has; the portable ones where there are none of its own.
-const LaneKernels& lane_kernels(base::VectorUnit unit);
+/// Defined for each unit by lane_kernels_per_unit.cpp.
+template <base::VectorUnit unit>
+const LaneKernels& lane_kernels_of() noexcept;
+
+inline const LaneKernels& lane_kernels(base::VectorUnit unit) noexcept {
+    return *base::with_unit(unit, [](auto u) { return &lane_kernels_of<u()>(); });
+}
 
 } // namespace eliminant::groebner

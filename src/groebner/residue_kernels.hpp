@@ -23,7 +23,12 @@ struct ResidueKernels {
                               std::uint64_t p_squared);
 };
 
-/// The kernels for a unit that runs here; portable ones for a unit that has none of its own.
-const ResidueKernels& residue_kernels(base::VectorUnit unit = base::best_vector_unit()) noexcept;
+/// Defined for each unit by residue_kernels_per_unit.cpp.
+template <base::VectorUnit unit>
+const ResidueKernels& residue_kernels_of() noexcept;
+
+inline const ResidueKernels& residue_kernels(base::VectorUnit unit = base::best_vector_unit()) noexcept {
+    return *base::with_unit(unit, [](auto u) { return &residue_kernels_of<u()>(); });
+}
 
 } // namespace eliminant::groebner

@@ -13,12 +13,13 @@ namespace eliminant::implicit {
 using RowCombination = void (*)(std::uint64_t* sums, const std::uint32_t* const rows[4],
                                 const std::uint32_t factors[4], std::size_t count);
 
-/// The loop for a vector unit; the portable one where there is none of its own.
-RowCombination row_combination(base::VectorUnit unit);
+/// Defined for each unit by row_combination_per_unit.cpp.
+template <base::VectorUnit unit>
+void combine_rows(std::uint64_t* sums, const std::uint32_t* const rows[4], const std::uint32_t factors[4],
+                  std::size_t count);
 
-void combine_rows_avx2(std::uint64_t* sums, const std::uint32_t* const rows[4],
-                       const std::uint32_t factors[4], std::size_t count);
-void combine_rows_avx512(std::uint64_t* sums, const std::uint32_t* const rows[4],
-                         const std::uint32_t factors[4], std::size_t count);
+inline RowCombination row_combination(base::VectorUnit unit) {
+    return base::with_unit(unit, [](auto u) -> RowCombination { return combine_rows<u()>; });
+}
 
 } // namespace eliminant::implicit

@@ -50,10 +50,12 @@ struct EvaluationLoops {
                            const std::uint32_t* values, const MontgomeryModulus& modulus);
 };
 
-/// The loops for a vector unit; the portable ones where there are none of its own.
-EvaluationLoops evaluation_loops(base::VectorUnit unit);
+/// Defined for each unit by verify_sums_per_unit.cpp.
+template <base::VectorUnit unit>
+EvaluationLoops evaluation_loops_of();
 
-EvaluationLoops evaluation_loops_avx2();
-EvaluationLoops evaluation_loops_avx512();
+inline EvaluationLoops evaluation_loops(base::VectorUnit unit) {
+    return base::with_unit(unit, [](auto u) { return evaluation_loops_of<u()>(); });
+}
 
 } // namespace eliminant::implicit

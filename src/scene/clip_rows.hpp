@@ -40,8 +40,14 @@ struct ClipRow {
     double* upper = nullptr;
 };
 
+/// Defined for each unit by clip_rows_per_unit.cpp, as clip_stars().
+template <base::VectorUnit unit>
+void clip_row(const ClipRow& row);
+
 using RowClipper = void (*)(const ClipRow&);
-RowClipper row_clipper(base::VectorUnit unit);
+inline RowClipper row_clipper(base::VectorUnit unit) {
+    return base::with_unit(unit, [](auto u) -> RowClipper { return clip_row<u()>; });
+}
 
 /// The same for rays from some points, as many from each (field::StarRays), in the rays' parameter and up to
 /// `reach`.
@@ -56,16 +62,12 @@ struct ClipStars {
     double* upper = nullptr;
 };
 
-using StarClipper = void (*)(const ClipStars&);
-StarClipper star_clipper(base::VectorUnit unit);
+template <base::VectorUnit unit>
+void clip_stars(const ClipStars& stars);
 
-namespace detail {
-void clip_row_portable(const ClipRow& row);
-void clip_stars_portable(const ClipStars& stars);
-void clip_row_avx2(const ClipRow& row);
-void clip_stars_avx2(const ClipStars& stars);
-void clip_row_avx512(const ClipRow& row);
-void clip_stars_avx512(const ClipStars& stars);
-} // namespace detail
+using StarClipper = void (*)(const ClipStars&);
+inline StarClipper star_clipper(base::VectorUnit unit) {
+    return base::with_unit(unit, [](auto u) -> StarClipper { return clip_stars<u()>; });
+}
 
 } // namespace eliminant::scene

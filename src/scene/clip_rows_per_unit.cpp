@@ -1,51 +1,36 @@
-#pragma once
-
+/// \file
+/// The formulas and their margins are explained in clip_region.cpp.
 #include "clip_rows.hpp"
+
+#include "base/pack.hpp"
 
 #include <cmath>
 #include <limits>
 
-/// ClipRow for one Pack (field/first_root_kernel.hpp); the formulas and their margins are explained in
-/// clip_region.cpp. In an unnamed namespace: one instance for each instruction set.
+namespace eliminant::scene {
 namespace {
 
-using eliminant::scene::Ball;
-using eliminant::scene::ClipRow;
-using eliminant::scene::ClipStars;
-using eliminant::scene::HalfSpace;
-using eliminant::scene::RegionParts;
+using Pack = base::Doubles;
 
-template <class Pack>
 struct Vector {
     Pack x, y, z;
 };
 
-template <class Pack>
-Vector<Pack> along(const glm::dvec3& start, const glm::dvec3& step, Pack i) {
+Vector along(const glm::dvec3& start, const glm::dvec3& step, Pack i) {
     return {fma(Pack::all(step.x), i, Pack::all(start.x)), fma(Pack::all(step.y), i, Pack::all(start.y)),
             fma(Pack::all(step.z), i, Pack::all(start.z))};
 }
-template <class Pack>
-Pack dot(const Vector<Pack>& a, const Vector<Pack>& b) {
-    return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
-}
-template <class Pack>
-Vector<Pack> all(const glm::dvec3& v) {
-    return {Pack::all(v.x), Pack::all(v.y), Pack::all(v.z)};
-}
-template <class Pack>
-Vector<Pack> abs(const Vector<Pack>& v) {
-    return {abs(v.x), abs(v.y), abs(v.z)};
-}
+Pack dot(const Vector& a, const Vector& b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
+Vector all(const glm::dvec3& v) { return {Pack::all(v.x), Pack::all(v.y), Pack::all(v.z)}; }
+Vector abs(const Vector& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
 
 /// The part of rays that lies in a region, cut by one ball or half-space after the other.
-template <class Pack>
 class PackClip {
-    using Mask = typename Pack::Mask;
+    using Mask = Pack::Mask;
     static constexpr double slack = 0x1p-48;
 
   public:
-    PackClip(const Vector<Pack>& origin, const Vector<Pack>& direction, double reach)
+    PackClip(const Vector& origin, const Vector& direction, double reach)
         : origin_(origin), direction_(direction),
           inverse_length_(Pack::all(1.0) / sqrt(dot(direction, direction))), lower_(Pack::all(0.0)),
           upper_(Pack::all(reach)) {}
@@ -59,13 +44,13 @@ class PackClip {
 
   private:
     void intersect(const Ball& ball) {
-        const Vector<Pack> center = all<Pack>(ball.center);
-        const Vector<Pack> from{origin_.x - center.x, origin_.y - center.y, origin_.z - center.z};
+        const Vector center = all(ball.center);
+        const Vector from{origin_.x - center.x, origin_.y - center.y, origin_.z - center.z};
         const Pack nearest = Pack::all(0.0) - dot(from, direction_) * inverse_length_ * inverse_length_;
-        const Vector<Pack> offset{fma(nearest, direction_.x, from.x), fma(nearest, direction_.y, from.y),
-                                  fma(nearest, direction_.z, from.z)};
+        const Vector offset{fma(nearest, direction_.x, from.x), fma(nearest, direction_.y, from.y),
+                            fma(nearest, direction_.z, from.z)};
         // The sum norm is at least the length that the margin needs.
-        const Vector<Pack> sizes = abs(origin_);
+        const Vector sizes = abs(origin_);
         const Pack scale = sizes.x + sizes.y + sizes.z +
                            Pack::all(std::fabs(ball.center.x) + std::fabs(ball.center.y) +
                                      std::fabs(ball.center.z) + ball.radius);
@@ -80,8 +65,8 @@ class PackClip {
     }
 
     void intersect(const HalfSpace& half_space) {
-        const Vector<Pack> normal = all<Pack>(half_space.normal);
-        const Vector<Pack> sizes = abs(normal);
+        const Vector normal = all(half_space.normal);
+        const Vector sizes = abs(normal);
         const Pack slope = dot(normal, direction_);
         const Pack room = Pack::all(half_space.offset) - dot(normal, origin_);
         const Pack margin =
@@ -99,15 +84,14 @@ class PackClip {
         upper_ = select(outside, zero - Pack::all(1.0), upper_);
     }
 
-    Vector<Pack> origin_, direction_;
+    Vector origin_, direction_;
     Pack inverse_length_;
     Pack lower_, upper_;
 };
 
 /// Rays of a row.
-template <class Pack>
 class RowClip {
-    using Mask = typename Pack::Mask;
+    using Mask = Pack::Mask;
     static constexpr double slack = 0x1p-48;
 
   public:
@@ -118,9 +102,9 @@ class RowClip {
         for (std::size_t lane = 0; lane < Pack::lanes; ++lane)
             numbers[lane] = static_cast<double>(first + lane);
         const Pack i = Pack::load(numbers);
-        PackClip<Pack> clip(along(row_.first.origin, row_.origin_dx, i),
-                            along(row_.first.direction, row_.direction_dx, i),
-                            std::numeric_limits<double>::infinity());
+        PackClip clip(along(row_.first.origin, row_.origin_dx, i),
+                      along(row_.first.direction, row_.direction_dx, i),
+                      std::numeric_limits<double>::infinity());
         clip.intersect(row_.region);
         write(first, clip.lower(), clip.upper());
     }
@@ -144,26 +128,30 @@ class RowClip {
     const ClipRow& row_;
 };
 
-template <class Pack>
+} // namespace
+
+template <base::VectorUnit unit>
 void clip_row(const ClipRow& row) {
-    const RowClip<Pack> clip(row);
+    const RowClip clip(row);
     for (std::size_t first = 0; first < row.count; first += Pack::lanes) clip.clip(first);
 }
 
-template <class Pack>
+template <base::VectorUnit unit>
 void clip_stars(const ClipStars& stars) {
     const auto load = [](const double* const* columns, std::size_t at) {
-        return Vector<Pack>{Pack::load(columns[0] + at), Pack::load(columns[1] + at),
-                            Pack::load(columns[2] + at)};
+        return Vector{Pack::load(columns[0] + at), Pack::load(columns[1] + at), Pack::load(columns[2] + at)};
     };
     for (std::size_t ray = 0; ray < stars.rays; ++ray)
         for (std::size_t first = 0; first < stars.count; first += Pack::lanes) {
             const std::size_t at = ray * stars.count + first;
-            PackClip<Pack> clip(load(stars.origin, first), load(stars.direction, at), stars.reach);
+            PackClip clip(load(stars.origin, first), load(stars.direction, at), stars.reach);
             clip.intersect(stars.region);
             clip.lower().store(stars.lower + at);
             clip.upper().store(stars.upper + at);
         }
 }
 
-} // namespace
+template void clip_row<base::this_unit>(const ClipRow&);
+template void clip_stars<base::this_unit>(const ClipStars&);
+
+} // namespace eliminant::scene

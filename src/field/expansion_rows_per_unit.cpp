@@ -1,14 +1,13 @@
-#pragma once
-
 #include "field/expansion_rows.hpp"
 
-/// The kernel of expansion_rows.hpp for one Pack, a lane a point.
+#include "base/pack.hpp"
+
+namespace eliminant::field {
 namespace {
 
-using eliminant::field::ExpansionView;
-using eliminant::field::TaylorScheme;
+// A lane a point.
+using Pack = base::Doubles;
 
-template <class Pack>
 class ExpansionKernel {
   public:
     ExpansionKernel(const ExpansionView& f, const double* const* points, double* workspace, double* rows)
@@ -81,4 +80,17 @@ class ExpansionKernel {
     Pack point_[3];
 };
 
+void expand(const ExpansionView& f, const double* const* points, double* workspace, double* rows) {
+    ExpansionKernel(f, points, workspace, rows).run();
+}
+
 } // namespace
+
+template <base::VectorUnit unit>
+Expander expander_of() {
+    return {expand, Pack::lanes};
+}
+
+template Expander expander_of<base::this_unit>();
+
+} // namespace eliminant::field

@@ -1,11 +1,11 @@
-// The loops of ResidueRows, in a form that compilers turn into vector code; each instruction set compiles its
-// own copy, so everything has internal linkage.
-#pragma once
-
 #include "algebra/residue_rows.hpp"
+
+#include "base/pack.hpp"
 
 namespace eliminant::algebra {
 namespace {
+
+// Compilers turn these loops into vector code as they are.
 
 /// The lesser of x and x − p modulo 2^32: x mod p for x < 2p.
 inline std::uint32_t corrected(std::uint32_t x, std::uint32_t p) {
@@ -18,27 +18,26 @@ inline std::uint32_t times(std::uint32_t x, ResidueFactor factor, std::uint32_t 
     return corrected(x * factor.value - quotient * p, p);
 }
 
-inline void add(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n,
-                std::uint32_t p) {
+void add(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n, std::uint32_t p) {
     for (std::size_t i = 0; i < n; ++i) x[i] = corrected(x[i] + y[i], p);
 }
 
-inline void subtract(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n,
-                     std::uint32_t p) {
+void subtract(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n,
+              std::uint32_t p) {
     for (std::size_t i = 0; i < n; ++i) x[i] = corrected(x[i] + (p - y[i]), p);
 }
 
-inline void add_multiple(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n,
-                         ResidueFactor factor, std::uint32_t p) {
+void add_multiple(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n,
+                  ResidueFactor factor, std::uint32_t p) {
     for (std::size_t i = 0; i < n; ++i) x[i] = corrected(x[i] + times(y[i], factor, p), p);
 }
 
-inline void scale(std::uint32_t* __restrict x, std::size_t n, ResidueFactor factor, std::uint32_t p) {
+void scale(std::uint32_t* __restrict x, std::size_t n, ResidueFactor factor, std::uint32_t p) {
     for (std::size_t i = 0; i < n; ++i) x[i] = times(x[i], factor, p);
 }
 
-inline void combine(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n,
-                    ResidueFactor s, ResidueFactor t, ResidueFactor u, std::uint32_t p) {
+void combine(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n, ResidueFactor s,
+             ResidueFactor t, ResidueFactor u, std::uint32_t p) {
     for (std::size_t i = 0; i < n; ++i) {
         const std::uint32_t sum = corrected(times(y[i], t, p) + times(y[i + 1], u, p), p);
         x[i] = corrected(times(x[i], s, p) + sum, p);
@@ -46,8 +45,8 @@ inline void combine(std::uint32_t* __restrict x, const std::uint32_t* __restrict
 }
 
 /// x·y/2^32 mod p, then the same with 2^64 mod p (P. Montgomery, Math. Comp. 44, 1985).
-inline void multiply(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n,
-                     std::uint32_t p) {
+void multiply(std::uint32_t* __restrict x, const std::uint32_t* __restrict y, std::size_t n,
+              std::uint32_t p) {
     std::uint32_t inverse = p; // modulo 2^32: three right bits, doubled four times
     for (int step = 0; step < 4; ++step) inverse *= 2 - p * inverse;
     const auto square = static_cast<std::uint32_t>(((std::uint64_t{1} << 32) % p << 32) % p);
@@ -59,7 +58,14 @@ inline void multiply(std::uint32_t* __restrict x, const std::uint32_t* __restric
         x[i] = reduced(std::uint64_t{reduced(std::uint64_t{x[i]} * y[i])} * square);
 }
 
-inline constexpr ResidueRows compiled_rows = {add, subtract, add_multiple, scale, combine, multiply};
-
 } // namespace
+
+template <base::VectorUnit unit>
+const ResidueRows& residue_rows_of() noexcept {
+    static constexpr ResidueRows rows = {add, subtract, add_multiple, scale, combine, multiply};
+    return rows;
+}
+
+template const ResidueRows& residue_rows_of<base::this_unit>() noexcept;
+
 } // namespace eliminant::algebra

@@ -1,20 +1,24 @@
-/// \file
-/// The kernels of lane_kernels.hpp for one kind of vector. Each source that includes it defines before, in
-/// its own unnamed namespace, a type `Vector` of eight 64-bit lanes, so that nothing here is shared between
-/// files that are compiled for different processors.
-#pragma once
-
 #include "groebner/lane_kernels.hpp"
+
+#include "base/pack.hpp"
 
 namespace eliminant::groebner {
 namespace {
 
+static_assert(lane_count == base::EightWords::lanes);
+using Words = base::EightWords;
+using Halves = base::EightHalves;
+
+inline Words load(const LaneSum& x) { return Words::load(x.lane); }
+inline Halves load(const LaneEntry& x) { return Halves::load(x.lane); }
+inline Halves load(const std::uint32_t& x) { return Halves::all(x); }
+
 struct Primes {
-    Vector p;
-    Vector square;
-    Vector reciprocal;
-    Vector low_shift;
-    Vector high_shift;
+    Words p;
+    Words square;
+    Words reciprocal;
+    Words low_shift;
+    Words high_shift;
 
     explicit Primes(const LanePrimes& primes)
         : p(load(primes.p)), square(load(primes.square)), reciprocal(load(primes.reciprocal)),
@@ -22,24 +26,22 @@ struct Primes {
 
     /// x mod p for x < p² (Barrett 1986). All factors are below 2^32, and the quotient found is at most two
     /// too small.
-    Vector reduce(const Vector& x) const {
-        const Vector quotient =
-            shift_down(multiply_low_halves(shift_down(x, low_shift), reciprocal), high_shift);
-        const Vector rest = subtract(x, multiply_low_halves(quotient, p));
+    Words reduce(const Words& x) const {
+        const Words quotient = (halves(x >> low_shift) * halves(reciprocal)) >> high_shift;
+        const Words rest = x - halves(quotient) * halves(p);
         return subtract_if_not_less(subtract_if_not_less(rest, p), p);
     }
 };
 
 /// dense −= factor·row, from entry `first` of the row on.
 template <class Coefficient>
-inline void subtract_multiple(const Vector& factor, const Vector& square, const SparseRow<Coefficient>& row,
+inline void subtract_multiple(const Halves& factor, const Words& square, const SparseRow<Coefficient>& row,
                               std::size_t first, LaneSum* dense) {
     const std::uint32_t* columns = row.columns;
     const Coefficient* coefficients = row.coefficients;
     for (std::size_t i = first; i < row.size; ++i) {
         LaneSum& entry = dense[columns[i]];
-        const Vector product = multiply_low_halves(factor, load(coefficients[i]));
-        store(entry, subtract_modulo(load(entry), product, square));
+        subtract_modulo(load(entry), factor * load(coefficients[i]), square).store(entry.lane);
     }
 }
 
@@ -48,21 +50,22 @@ std::size_t reduce(const LanePrimes& lane_primes, const SparseRow<Coefficient>* 
                    std::size_t end, LaneSum* dense, std::uint32_t* columns, LaneEntry* entries,
                    std::uint8_t* used) {
     const Primes primes(lane_primes);
+    const Words zero = Words::all(0);
     std::size_t count = 0;
     for (std::size_t c = begin; c < end; ++c) {
-        const Vector sum = load(dense[c]);
+        const Words sum = load(dense[c]);
         if (nonzero_lanes(sum) == 0) continue;
-        store(dense[c], zero());
-        const Vector value = primes.reduce(sum);
+        zero.store(dense[c].lane);
+        const Words value = primes.reduce(sum);
         const unsigned lanes = nonzero_lanes(value);
         if (lanes == 0) continue;
         if (by_column[c].columns != nullptr) {
             if (used != nullptr) used[c] = static_cast<std::uint8_t>(used[c] | lanes);
-            subtract_multiple(value, primes.square, by_column[c], 1, dense); // entry c is 0 already
+            subtract_multiple(halves(value), primes.square, by_column[c], 1, dense); // entry c is 0 already
             continue;
         }
         columns[count] = static_cast<std::uint32_t>(c);
-        store(entries[count], value);
+        halves(value).store(entries[count].lane);
         ++count;
     }
     return count;
@@ -76,20 +79,20 @@ inline void subtract_row(const LanePrimes& lane_primes, const LaneEntry& factor,
 inline void scale(const LanePrimes& lane_primes, const LaneEntry& factor, std::size_t size,
                   LaneEntry* entries) {
     const Primes primes(lane_primes);
-    const Vector by = load(factor);
+    const Halves by = load(factor);
     for (std::size_t i = 0; i < size; ++i)
-        store(entries[i], primes.reduce(multiply_low_halves(load(entries[i]), by)));
+        halves(primes.reduce(load(entries[i]) * by)).store(entries[i].lane);
 }
 
 inline void subtract_lane(const LanePrimes& lane_primes, const LaneEntry& factor, std::size_t lane,
                           std::size_t size, LaneEntry* entries) {
     const Primes primes(lane_primes);
-    const Vector by = load(factor);
+    const Halves by = load(factor);
     for (std::size_t i = 0; i < size; ++i) {
         const std::uint32_t subtracted = entries[i].lane[lane];
         if (subtracted == 0) continue;
-        const Vector product = multiply_low_halves(by, load(subtracted));
-        store(entries[i], primes.reduce(subtract_modulo(load(entries[i]), product, primes.square)));
+        const Words rest = subtract_modulo(words(load(entries[i])), by * load(subtracted), primes.square);
+        halves(primes.reduce(rest)).store(entries[i].lane);
     }
 }
 
@@ -97,18 +100,23 @@ inline void sum_digits(const LanePrimes& lane_primes, const LaneEntry* powers, c
                        const std::uint32_t* lengths, std::size_t count, LaneEntry* result) {
     const Primes primes(lane_primes);
     for (std::size_t i = 0; i < count; ++i) {
-        Vector sum = zero();
-        for (std::uint32_t j = 0; j < lengths[i]; ++j) {
-            const Vector product = multiply_low_halves(load(powers[j]), load(digits[j]));
-            sum = subtract_modulo(sum, product, primes.square);
-        }
-        store(result[i], primes.reduce(sum));
+        Words sum = Words::all(0);
+        for (std::uint32_t j = 0; j < lengths[i]; ++j)
+            sum = subtract_modulo(sum, load(powers[j]) * load(digits[j]), primes.square);
+        halves(primes.reduce(sum)).store(result[i].lane);
         digits += lengths[i];
     }
 }
 
-inline constexpr LaneKernels kernels{reduce<std::uint32_t>, reduce<LaneEntry>, subtract_row, scale,
-                                     subtract_lane,         sum_digits};
-
 } // namespace
+
+template <base::VectorUnit unit>
+const LaneKernels& lane_kernels_of() noexcept {
+    static constexpr LaneKernels kernels{reduce<std::uint32_t>, reduce<LaneEntry>, subtract_row, scale,
+                                         subtract_lane,         sum_digits};
+    return kernels;
+}
+
+template const LaneKernels& lane_kernels_of<base::this_unit>() noexcept;
+
 } // namespace eliminant::groebner

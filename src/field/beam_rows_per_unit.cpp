@@ -1,16 +1,14 @@
-#pragma once
-
 #include "beam_rows.hpp"
 #include "first_root_kernel.hpp"
 
-/// The kernels of beam_rows.hpp for one Pack.
+#include "base/pack.hpp"
+
+namespace eliminant::field {
 namespace {
 
-using eliminant::field::BeamRow;
-using eliminant::field::FirstRootBatch;
-using eliminant::field::RayState;
+using Pack = base::Doubles;
 
-template <class Pack, int fixed_degree>
+template <int fixed_degree>
 class RowKernel {
     using Search = FirstRoot<Pack, fixed_degree>;
     using Answer = typename Search::Answer;
@@ -95,12 +93,7 @@ class RowKernel {
     Search search_;
 };
 
-template <class Pack>
-void solve_row(const BeamRow& row) {
-    with_fixed_degree(row.degree, [&](auto n) { RowKernel<Pack, decltype(n)::value>(row).solve(); });
-}
-
-template <class Pack, int fixed_degree>
+template <int fixed_degree>
 void solve_batch(const FirstRootBatch& batch) {
     using Search = FirstRoot<Pack, fixed_degree>;
     const Search search(static_cast<int>(batch.degree), batch.bernstein, batch.error);
@@ -119,9 +112,19 @@ void solve_batch(const FirstRootBatch& batch) {
     }
 }
 
-template <class Pack>
-void solve_batch(const FirstRootBatch& batch) {
-    with_fixed_degree(batch.degree, [&](auto n) { solve_batch<Pack, decltype(n)::value>(batch); });
+} // namespace
+
+template <base::VectorUnit unit>
+void solve_beam_row(const BeamRow& row) {
+    with_fixed_degree(row.degree, [&](auto n) { RowKernel<decltype(n)::value>(row).solve(); });
 }
 
-} // namespace
+template <base::VectorUnit unit>
+void first_roots(const FirstRootBatch& batch) {
+    with_fixed_degree(batch.degree, [&](auto n) { solve_batch<decltype(n)::value>(batch); });
+}
+
+template void solve_beam_row<base::this_unit>(const BeamRow&);
+template void first_roots<base::this_unit>(const FirstRootBatch&);
+
+} // namespace eliminant::field

@@ -1,18 +1,15 @@
-#pragma once
-
 #include "first_root_kernel.hpp"
 #include "ray_stars.hpp"
 
-/// The kernels of ray_stars.hpp for one Pack, a lane a point. These files are compiled without contraction of
-/// floating-point expressions, which would break WideEntry.
+#include "base/pack.hpp"
+
+namespace eliminant::field {
 namespace {
 
-using eliminant::field::RayState;
-using eliminant::field::StarPolynomial;
-using eliminant::field::StarRays;
+// A lane a point.
+using Pack = base::Doubles;
 
 /// A Taylor coefficient in doubles.
-template <class Pack>
 struct NarrowEntry {
     static constexpr std::size_t width = Pack::lanes; ///< in memory
     static constexpr double unit = 0x1p-53;
@@ -27,7 +24,6 @@ struct NarrowEntry {
 };
 
 /// The same in twice the precision.
-template <class Pack>
 struct WideEntry {
     static constexpr std::size_t width = 2 * Pack::lanes;
     static constexpr double unit = 0x1p-101; ///< of each step below, relative to |*this| + |t·other|
@@ -53,10 +49,10 @@ struct WideEntry {
     }
 };
 
-template <class Pack, int fixed_degree>
+template <int fixed_degree>
 class StarKernel {
     using Search = FirstRoot<Pack, fixed_degree>;
-    using Mask = typename Pack::Mask;
+    using Mask = Pack::Mask;
 
   public:
     /// \param first of Pack::lanes points
@@ -86,16 +82,14 @@ class StarKernel {
             origin_[level] = Pack::load(rays_.origin[f_.coordinates[level]] + first_);
             reach_ = max(reach_, abs(origin_[level]));
         }
-        shift<NarrowEntry<Pack>>(entries_);
-        const Pack unsafe = Pack::all(64.0) * shift_rounding(NarrowEntry<Pack>::unit) * majorant(reach_);
-        unit_ = NarrowEntry<Pack>::unit;
+        shift<NarrowEntry>(entries_);
+        const Pack unsafe = Pack::all(64.0) * shift_rounding(NarrowEntry::unit) * majorant(reach_);
+        unit_ = NarrowEntry::unit;
         if (any(~(abs(Pack::load(entries_)) > unsafe))) {
-            shift<WideEntry<Pack>>(wide_);
+            shift<WideEntry>(wide_);
             for (std::size_t e = 0; e < f_.size; ++e)
-                WideEntry<Pack>::load(wide_ + e * WideEntry<Pack>::width)
-                    .rounded()
-                    .store(entries_ + e * Pack::lanes);
-            unit_ = WideEntry<Pack>::unit;
+                WideEntry::load(wide_ + e * WideEntry::width).rounded().store(entries_ + e * Pack::lanes);
+            unit_ = WideEntry::unit;
         }
         measure();
     }
@@ -213,8 +207,8 @@ class StarKernel {
         const int n = degree();
         Pack sum = Pack::all(0.0);
         for (int m = n; m >= 0; --m) sum = fma(sum, reach, sizes_[m]);
-        const double roundings = static_cast<double>(f_.filled_count) + 4.0 * n + 6.0 +
-                                 eliminant::field::first_root_rounding(f_.degree);
+        const double roundings =
+            static_cast<double>(f_.filled_count) + 4.0 * n + 6.0 + first_root_rounding(f_.degree);
         const Pack forming = Pack::all((roundings * 0x1p-53 + Search::overhang(n)) * (1.0 + 0x1p-20));
         return fma(forming, sum, fma(shift_rounding(unit_), majorant(reach_ + reach), Pack::all(0x1p-960)));
     }
@@ -238,11 +232,19 @@ class StarKernel {
 };
 
 // NOLINTBEGIN(readability-non-const-parameter): the kernel writes to its workspace
-template <class Pack>
 void solve_stars(const StarPolynomial& f, const StarRays& rays, std::size_t first, double* workspace) {
-    with_fixed_degree(
-        f.degree, [&](auto n) { StarKernel<Pack, decltype(n)::value>(f, rays, first, workspace).solve(); });
+    with_fixed_degree(f.degree,
+                      [&](auto n) { StarKernel<decltype(n)::value>(f, rays, first, workspace).solve(); });
 }
 // NOLINTEND(readability-non-const-parameter)
 
 } // namespace
+
+template <base::VectorUnit unit>
+StarSolver star_solver_of() {
+    return {solve_stars, Pack::lanes};
+}
+
+template StarSolver star_solver_of<base::this_unit>();
+
+} // namespace eliminant::field
