@@ -79,7 +79,7 @@ class GroebnerCommand : public Command {
         session.console().detail(statistics_line(basis.statistics, session.seconds()));
         session.write_result(session.format() == ResultFormat::json
                                  ? json(system.ring, basis, session.seconds())
-                                 : ideal_in(session.format(), system.ring, basis.elements));
+                                 : ideal_in(session.format(), system.ring, basis.elements, session.run()));
         return exit_done;
     }
 

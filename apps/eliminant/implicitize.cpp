@@ -103,8 +103,8 @@ void describe_in_json(Json& report, const ImplicitResult& result, std::size_t co
 }
 
 /// A polynomial for a hypersurface and, being 0, for a dense image; otherwise an ideal.
-std::string equations_in(ResultFormat format, const ImplicitResult& result) {
-    if (result.equations.size() > 1) return ideal_in(format, result.ring, result.equations);
+std::string equations_in(ResultFormat format, const ImplicitResult& result, Run& run) {
+    if (result.equations.size() > 1) return ideal_in(format, result.ring, result.equations, run);
     return polynomial_in(format,
                          result.equations.empty() ? Polynomial(result.ring) : result.equations.front());
 }
@@ -188,7 +188,7 @@ class ImplicitizeCommand : public Command {
             describe_in_json(report, result, coordinates.size(), session.seconds());
             session.write_result(to_text(report));
         } else {
-            session.write_result(equations_in(session.format(), result));
+            session.write_result(equations_in(session.format(), result, session.run()));
         }
         return exit_done;
     }
@@ -224,7 +224,8 @@ class ImplicitizeCommand : public Command {
     static std::string found(const ShapeResult& shape, Session& session) {
         describe(*shape.result, shape.name + ": ", session);
         if (session.format() != ResultFormat::json)
-            return comment_in(session.format(), shape.name) + equations_in(session.format(), *shape.result);
+            return comment_in(session.format(), shape.name) +
+                   equations_in(session.format(), *shape.result, session.run());
         Json report;
         report["name"] = shape.name;
         describe_in_json(report, *shape.result, shape.coordinate_count, session.seconds());

@@ -47,9 +47,10 @@ Json ring_fields(const Ring& ring) {
             {"order", ring.order().to_string(ring.names())}};
 }
 
-std::string ideal_in(ResultFormat format, const Ring& ring, std::span<const Polynomial> generators) {
+std::string ideal_in(ResultFormat format, const Ring& ring, std::span<const Polynomial> generators,
+                     Run& run) {
     if (generators.empty() && format == ResultFormat::text) return "0\n";
-    return declared(ring, generators, syntax(format));
+    return declared(ring, generators, syntax(format), run);
 }
 
 std::string polynomial_in(ResultFormat format, const Polynomial& f) { return declared(f, syntax(format)); }
@@ -68,7 +69,7 @@ std::string assignment_in(ResultFormat format, const std::string& name, const Po
 
 std::string ideal_in(ResultFormat format, const Ideal& I, Run& run) {
     const std::vector<Polynomial>& basis = I.groebner_basis(run);
-    if (format != ResultFormat::json) return ideal_in(format, I.ring(), basis);
+    if (format != ResultFormat::json) return ideal_in(format, I.ring(), basis, run);
     Json result = ring_fields(I.ring());
     result["basis"] = strings(basis);
     return to_text(result);

@@ -34,7 +34,7 @@ Json ring_fields(const Ring& ring);
 
 /// Generators of an ideal, in text a line each, `0` for none; otherwise with what the other system must be
 /// told of their ring. Not for JSON.
-std::string ideal_in(ResultFormat format, const Ring& ring, std::span<const Polynomial> generators);
+std::string ideal_in(ResultFormat format, const Ring& ring, std::span<const Polynomial> generators, Run& run);
 
 /// A polynomial on its own, in the same way.
 std::string polynomial_in(ResultFormat format, const Polynomial& f);

@@ -31,9 +31,12 @@ class InsideGuard {
 void parallel_for(const Run& run, std::size_t count,
                   const std::function<void(std::size_t item, std::size_t worker)>& body) {
     if (count <= 1 || run.threads() == 1) {
+        // Within an outer call the number of this thread there: other threads may be at the same place.
+        const std::size_t worker =
+            inside ? static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()) : 0;
         for (std::size_t item = 0; item < count; ++item) {
             run.poll();
-            body(item, 0);
+            body(item, worker);
         }
         return;
     }

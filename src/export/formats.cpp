@@ -2,6 +2,7 @@
 
 #include "eliminant/algebra/print.hpp"
 
+#include "base/parallel.hpp"
 #include "names.hpp"
 #include "orders.hpp"
 
@@ -159,19 +160,45 @@ std::string declared(const Polynomial& f, Format format) {
     return text.append(renamed.formula(f)).append(";\n");
 }
 
+namespace {
+
+/// The texts one after the other, behind `start`.
+std::string joined(const std::vector<std::string>& texts, std::string_view separator,
+                   std::string_view start = {}) {
+    std::size_t size = start.size();
+    for (const std::string& text : texts) size += text.size() + separator.size();
+    std::string result;
+    result.reserve(size);
+    result.append(start);
+    for (std::size_t i = 0; i < texts.size(); ++i) result.append(i == 0 ? "" : separator).append(texts[i]);
+    return result;
+}
+
+} // namespace
+
 std::string declared(const Ring& ring, std::span<const Polynomial> generators, Format format) {
+    base::Run run;
+    return declared(ring, generators, format, run);
+}
+
+std::string declared(const Ring& ring, std::span<const Polynomial> generators, Format format,
+                     base::Run& run) {
     const Renamed renamed(ring, format);
     std::string text = declared_ring(renamed, format);
+    // A basis can be a hundred megabytes: written on all threads, then copied once.
+    const auto written = [&](auto&& print) {
+        std::vector<std::string> formulas(generators.size());
+        base::parallel_for(run, generators.size(),
+                           [&](std::size_t i, std::size_t) { formulas[i] = print(generators[i]); });
+        return formulas;
+    };
     const auto list = [&](std::string_view separator, std::string_view of_none, auto&& print) {
-        std::string items;
-        for (const Polynomial& f : generators) items.append(items.empty() ? "" : separator).append(print(f));
-        return items.empty() ? std::string(of_none) : items;
+        return generators.empty() ? std::string(of_none) : joined(written(print), separator);
     };
     const auto formula_of = [&](const Polynomial& f) { return renamed.formula(f); };
     switch (format) {
     case Format::text:
-        for (const Polynomial& f : generators) text.append(formula_of(f)).append("\n");
-        return text;
+        return generators.empty() ? text : joined(written(formula_of), "\n", text).append("\n");
     case Format::latex:
         return text.append("\\begin{align*}\n  & ")
             .append(list(" \\\\\n  & ", "0", latex_formula))

@@ -2,8 +2,6 @@
 
 #include "f4_computation.hpp"
 
-#include "base/parallel.hpp"
-
 #include <algorithm>
 #include <utility>
 
@@ -69,20 +67,6 @@ std::size_t F4Trace::size_in_bytes() const {
         bytes += round.found.capacity() * sizeof(std::size_t);
     }
     return bytes;
-}
-
-std::vector<F4Trace::Image> F4Trace::replay(std::span<const std::uint32_t> primes, base::Run& run,
-                                            Extent extent) const {
-    const LaneKernels& kernels = lane_kernels(base::best_vector_unit());
-    std::vector<Image> images(primes.size());
-    const std::size_t packs = (primes.size() + lane_count - 1) / lane_count;
-    base::parallel_for(run, packs, [&](std::size_t pack, std::size_t) {
-        const std::size_t begin = pack * lane_count;
-        const std::size_t size = std::min(lane_count, primes.size() - begin);
-        std::ranges::move(replay_pack(primes.subspan(begin, size), kernels, run, extent),
-                          images.begin() + static_cast<std::ptrdiff_t>(begin));
-    });
-    return images;
 }
 
 } // namespace eliminant::groebner

@@ -70,8 +70,9 @@ class F4Trace {
     std::size_t size_in_bytes() const;
 
     /// The images modulo primes below 2^31, in their sequence. Eight primes take little longer than one
-    /// (see lane_kernels.hpp), so give as many as there is use for; packs of eight are shared out over the
-    /// threads of the run. Any number of calls may run at the same time. Polls `run`.
+    /// (see lane_kernels.hpp), so give as many as there is use for; packs of eight, and the rows of each
+    /// matrix, are shared out over the threads of the run. Any number of calls may run at the same time.
+    /// Polls `run`.
     std::vector<Image> replay(std::span<const std::uint32_t> primes, base::Run& run,
                               Extent extent = Extent::basis) const;
 

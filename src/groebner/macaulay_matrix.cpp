@@ -69,7 +69,7 @@ class Elimination {
 
     /// Packs that are reduced at the same time. With one thread a pack sees all that was found before it;
     /// with more, waves are long enough to share out.
-    std::size_t wave_length() const { return run_.threads() == 1 ? 1 : 4 * std::size_t{run_.threads()}; }
+    std::size_t wave_length() const { return run_.threads() == 1 ? 1 : 2 * std::size_t{run_.threads()}; }
 
     base::Progress progress(std::size_t rows_done) const {
         return {"F4 elimination", rows_done, matrix_.rows_.size(),

@@ -90,11 +90,12 @@ ModularBasis::Attempt ModularBasis::learn() {
     }
 }
 
-/// Replays modulo more primes; the number grows in proportion to those there are.
+/// Replays modulo more primes; the number grows in proportion to those there are. Threads share the rows of
+/// a matrix, so it takes many of them before there are packs that one thread alone would not have made.
 void ModularBasis::add_batch() {
-    const std::size_t per_round = lane_count * run_.threads();
     const std::size_t known = attempt_->lifting.prime_count();
-    std::vector<std::uint32_t> primes(per_round * (1 + known / (8 * per_round)));
+    const std::size_t packs = std::max<std::size_t>(1 + known / (8 * lane_count), run_.threads() / 8);
+    std::vector<std::uint32_t> primes(packs * lane_count);
     for (std::uint32_t& p : primes) p = primes_.next();
     primes_used_ += primes.size();
     Images images = attempt_->trace.replay(primes, run_, extent_);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "eliminant/algebra/polynomial.hpp"
+#include "eliminant/base/run.hpp"
 
 #include <cstdint>
 #include <span>
@@ -37,6 +38,10 @@ std::string declared(const algebra::Polynomial& f, Format format);
 /// RingMismatchError
 std::string declared(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
                      Format format);
+/// The same, with the polynomials written on the threads of the run, which is polled: long coefficients take
+/// time.
+std::string declared(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
+                     Format format, base::Run& run);
 
 } // namespace eliminant::exporting
 
