@@ -102,13 +102,14 @@ void measure(const Settings& settings, const std::filesystem::path& file, const 
         trace ? median_seconds(settings.repeat, [&] { static_cast<void>(trace->replay(primes, run)); }) : -1;
 
     const auto& statistics = basis.statistics;
+    const auto* const largest = statistics.largest_matrix();
     std::printf(
         "{\"name\":\"%s\",\"seconds\":%.6f,\"learn\":%.6f,\"replay\":%.6f,\"elements\":%zu,\"matrices\":%llu,"
         "\"largest_matrix\":[%llu,%llu],\"trace_bytes\":%zu",
         name.c_str(), seconds, learn, replay / static_cast<double>(primes.size()), basis.elements.size(),
-        static_cast<unsigned long long>(statistics.matrices),
-        static_cast<unsigned long long>(statistics.largest_matrix_rows),
-        static_cast<unsigned long long>(statistics.largest_matrix_columns),
+        static_cast<unsigned long long>(statistics.matrices.size()),
+        static_cast<unsigned long long>(largest ? largest->rows : 0),
+        static_cast<unsigned long long>(largest ? largest->columns : 0),
         trace ? trace->size_in_bytes() : std::size_t{0});
     if (!settings.baseline.empty()) {
         const std::optional<double> before = baseline_seconds(settings, name);

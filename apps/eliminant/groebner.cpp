@@ -12,16 +12,14 @@ namespace {
 
 /// Rows and columns, null where no matrix was made.
 Json largest_matrix(const groebner::Statistics& statistics) {
-    if (statistics.matrices == 0) return nullptr;
-    return Json::array({statistics.largest_matrix_rows, statistics.largest_matrix_columns});
+    const auto* const largest = statistics.largest_matrix();
+    return largest == nullptr ? Json(nullptr) : Json::array({largest->rows, largest->columns});
 }
 
 /// Share of its entries that are not 0.
 Json largest_matrix_density(const groebner::Statistics& statistics) {
-    if (statistics.matrices == 0) return nullptr;
-    return static_cast<double>(statistics.largest_matrix_entries) /
-           (static_cast<double>(statistics.largest_matrix_rows) *
-            static_cast<double>(statistics.largest_matrix_columns));
+    const auto* const largest = statistics.largest_matrix();
+    return largest == nullptr ? Json(nullptr) : Json(largest->density());
 }
 
 Json statistics_fields(const groebner::Statistics& statistics, double seconds) {
@@ -31,7 +29,7 @@ Json statistics_fields(const groebner::Statistics& statistics, double seconds) {
             {"skipped_by_chain_f", statistics.skipped_by_chain_f},
             {"skipped_by_chain_b", statistics.skipped_by_chain_b},
             {"zero_reductions", statistics.zero_reductions},
-            {"matrices", statistics.matrices},
+            {"matrices", statistics.matrices.size()},
             {"largest_matrix", largest_matrix(statistics)},
             {"largest_matrix_density", largest_matrix_density(statistics)},
             {"primes_used", statistics.primes},
@@ -76,6 +74,8 @@ class GroebnerCommand : public Command {
         const System system = read_system(operands, system_, session.run());
         const GroebnerBasis basis =
             groebner_basis(system.ring, system.polynomials, {algorithm_, proof_}, session.run());
+        for (const std::string& line : matrix_table(basis.statistics.matrices))
+            session.console().detail(line);
         session.console().detail(statistics_line(basis.statistics, session.seconds()));
         session.write_result(session.format() == ResultFormat::json
                                  ? json(system.ring, basis, session.seconds())

@@ -3,6 +3,9 @@
 #include "eliminant/algebra/print.hpp"
 #include "eliminant/export/formats.hpp"
 
+#include <array>
+#include <cstdio>
+
 namespace eliminant::app {
 
 namespace {
@@ -75,14 +78,42 @@ std::string ideal_in(ResultFormat format, const Ideal& I, Run& run) {
     return to_text(result);
 }
 
+std::vector<std::string> matrix_table(std::span<const groebner::MatrixStatistics> matrices) {
+    if (matrices.empty()) return {};
+    const auto line = [](const std::array<std::string, 8>& cells) {
+        std::string text;
+        for (const std::string& cell : cells) {
+            constexpr std::size_t width = 9;
+            text.append(cell.size() < width ? width - cell.size() : 1, ' ').append(cell);
+        }
+        return text;
+    };
+    std::vector<std::string> lines{
+        "matrices of F4, one for each batch of pairs. degree: the largest of its pairs; pairs: reduced "
+        "together "
+        "(and generators); rows: those to be reduced and those they are reduced by; columns: monomials; "
+        "density: share of entries that are not 0; new: elements of the basis found; zero: pairs that gave "
+        "none",
+        line({"matrix", "degree", "pairs", "rows", "columns", "density", "new", "zero"})};
+    for (std::size_t i = 0; i < matrices.size(); ++i) {
+        const groebner::MatrixStatistics& matrix = matrices[i];
+        std::array<char, 16> percent{};
+        std::snprintf(percent.data(), percent.size(), "%.2f%%", 100 * matrix.density());
+        lines.push_back(
+            line({std::to_string(i + 1), std::to_string(matrix.degree), std::to_string(matrix.pairs),
+                  std::to_string(matrix.rows), std::to_string(matrix.columns), percent.data(),
+                  std::to_string(matrix.new_elements), std::to_string(matrix.zero_reductions)}));
+    }
+    return lines;
+}
+
 std::string statistics_line(const groebner::Statistics& statistics, double seconds) {
     const auto count = [](std::uint64_t number) { return std::to_string(number); };
     std::string matrices;
-    if (statistics.matrices != 0) {
-        matrices = "; matrices: " + count(statistics.matrices) + ", the largest " +
-                   count(statistics.largest_matrix_rows) + " x " + count(statistics.largest_matrix_columns) +
-                   " with " + count(statistics.largest_matrix_entries) + " entries";
-    }
+    if (const auto* const largest = statistics.largest_matrix())
+        matrices = "; matrices: " + count(statistics.matrices.size()) + ", the largest " +
+                   count(largest->rows) + " x " + count(largest->columns) + " with " +
+                   count(largest->entries) + " entries";
     if (statistics.primes != 0) matrices += "; primes: " + count(statistics.primes);
     return "pairs treated: " + count(statistics.pairs_treated) +
            "; skipped by the product criterion: " + count(statistics.skipped_by_product) +

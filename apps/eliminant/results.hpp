@@ -48,6 +48,9 @@ std::string assignment_in(ResultFormat format, const std::string& name, const Po
 /// An ideal by its reduced Groebner basis in the order of its ring.
 std::string ideal_in(ResultFormat format, const Ideal& I, Run& run);
 
+/// The matrices of F4, a line each, under a line that explains the columns; for --verbose.
+std::vector<std::string> matrix_table(std::span<const groebner::MatrixStatistics> matrices);
+
 /// What a basis computation did, for --verbose.
 std::string statistics_line(const groebner::Statistics& statistics, double seconds);
 

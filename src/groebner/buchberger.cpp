@@ -36,14 +36,19 @@ Statistics& Statistics::operator+=(const Statistics& other) {
     zero_modulo_prime += other.zero_modulo_prime;
     basis_elements_made += other.basis_elements_made;
     primes += other.primes;
-    matrices += other.matrices;
-    if (other.largest_matrix_rows * other.largest_matrix_columns >
-        largest_matrix_rows * largest_matrix_columns) {
-        largest_matrix_rows = other.largest_matrix_rows;
-        largest_matrix_columns = other.largest_matrix_columns;
-        largest_matrix_entries = other.largest_matrix_entries;
-    }
+    matrices.insert(matrices.end(), other.matrices.begin(), other.matrices.end());
     return *this;
+}
+
+const MatrixStatistics* Statistics::largest_matrix() const {
+    const auto area = [](const MatrixStatistics& matrix) { return matrix.rows * matrix.columns; };
+    const auto largest = std::ranges::max_element(matrices, {}, area);
+    return largest == matrices.end() ? nullptr : &*largest;
+}
+
+double MatrixStatistics::density() const {
+    if (rows == 0 || columns == 0) return 0;
+    return static_cast<double>(entries) / (static_cast<double>(rows) * static_cast<double>(columns));
 }
 
 GroebnerBasis buchberger(const Ring& ring, std::span<const Polynomial> generators,

@@ -41,7 +41,7 @@ class Computation {
                 base::Run& run, bool by_degree)
         : domain_(domain), ring_(ring), options_(options), run_(run), grading_(options.grading),
           layout_(&working_layout(generators)), basis_(*layout_),
-          queue_(options.selection, by_degree, grading_) {
+          queue_(options.selection, by_degree, grading_, run) {
         for (const algebra::Polynomial& f : generators) {
             algebra::require_same_ring(ring, f.ring(), "Groebner basis");
             if (!f.is_zero()) add_generator(f);
@@ -204,9 +204,11 @@ class Computation {
             return basis_.layout().compare(basis_.lead(i), basis_.lead(j)) < 0;
         });
         reduce_tails(minimal);
-        for (const std::size_t i : minimal)
+        for (const std::size_t i : minimal) {
+            run_.poll();
             result_.elements.push_back(
                 algebra::Polynomial::from_terms(ring_, basis_.take_terms(i)).primitive_part());
+        }
         return std::move(result_);
     }
 

@@ -74,6 +74,7 @@ class StoreBatchReducer final : public BatchReducer {
     }
 
     void want(const Word* multiplier, const BasisElement<Element>& f, std::uint32_t number) {
+        run_.poll();
         wanted_.push_back({&f, number, wanted_indices_.size()});
         store_.product(multiplier, f, wanted_indices_);
     }
@@ -124,7 +125,7 @@ class StoreBatchReducer final : public BatchReducer {
             const std::uint32_t k = store_.reducer_of(index);
             if (k == Store::none) continue;
             if (grading_.degree(layout_, store_.monomial(index)) + basis_[k].excess > limit) continue;
-            if (pivots_.size() % 64 == 0) run_.poll();
+            run_.poll();
             pivots_.push_back({index, k});
             see(store_.row(index, k));
         }
@@ -132,6 +133,7 @@ class StoreBatchReducer final : public BatchReducer {
 
     Batch reduce_matrix(F4Round* record) {
         std::ranges::sort(monomials_, [this](Index a, Index b) {
+            run_.poll(); // a million columns take a second
             return layout_.compare(store_.monomial(a), store_.monomial(b)) > 0;
         });
         column_of_.resize(store_.size());
@@ -145,6 +147,7 @@ class StoreBatchReducer final : public BatchReducer {
         MacaulayMatrix matrix(field_, monomials_.size());
         std::size_t begin = 0;
         for (const PivotRow& pivot : pivots_) {
+            run_.poll();
             const std::span<const Index> indices = store_.row(pivot.lead, pivot.element);
             Index* columns = pivot_columns_.data() + begin;
             to_columns(indices, {columns, indices.size()});
@@ -170,7 +173,10 @@ class StoreBatchReducer final : public BatchReducer {
         batch.rows = matrix.row_count();
         batch.columns = matrix.column_count();
         batch.found.reserve(found.size());
-        for (MacaulayMatrix::Row& row : found) batch.found.push_back(terms_of(std::exchange(row, {})));
+        for (MacaulayMatrix::Row& row : found) {
+            run_.poll();
+            batch.found.push_back(terms_of(std::exchange(row, {})));
+        }
         return batch;
     }
 

@@ -57,13 +57,10 @@ void F4Computation::treat_batch(const std::vector<CriticalPair>& pairs) {
     result_.failure_bound += batch.failure_bound;
     Statistics& statistics = result_.statistics;
     statistics.pairs_treated += treated;
-    statistics.zero_reductions += treated - std::min<std::uint64_t>(treated, batch.found.size());
-    ++statistics.matrices;
-    if (batch.rows * batch.columns > statistics.largest_matrix_rows * statistics.largest_matrix_columns) {
-        statistics.largest_matrix_rows = batch.rows;
-        statistics.largest_matrix_columns = batch.columns;
-        statistics.largest_matrix_entries = batch.entries;
-    }
+    const std::uint64_t zero_reductions = treated - std::min<std::uint64_t>(treated, batch.found.size());
+    statistics.zero_reductions += zero_reductions;
+    statistics.matrices.push_back(
+        {sugar, pairs.size(), batch.rows, batch.columns, batch.entries, batch.found.size(), zero_reductions});
     // Descending: where one leading monomial divides another, the larger one comes first and is then
     // superseded, as the criteria expect.
     for (TermList<Element>& terms : batch.found) {

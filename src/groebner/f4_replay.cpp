@@ -138,8 +138,8 @@ class PackReplay {
             by_column_[row.columns[0]] = row;
             entries += row.size;
         }
-        // A row is worth handing to another thread if it takes some ten microseconds.
-        constexpr std::size_t entries_worth_a_wave = 8192;
+        // A row is worth handing to another thread if it takes some fifty microseconds.
+        constexpr std::size_t entries_worth_a_wave = std::size_t{1} << 15U;
         const bool is_small = entries + round.column_count < entries_worth_a_wave;
         wave_length_ = is_small || run_.threads() == 1 ? 1 : 4 * std::size_t{run_.threads()};
     }

@@ -2,7 +2,10 @@
 
 #include "eliminant/algebra/arithmetic.hpp"
 
+#include "base/parallel.hpp"
+
 #include <algorithm>
+#include <atomic>
 #include <string>
 #include <utility>
 
@@ -119,25 +122,54 @@ bool ModularBasis::agrees_with_witness() {
     return witness_ && attempt_->lifting.agrees(witness_->prime, witness_->coefficients, run_);
 }
 
+/// By the image of the witness, which is that of the lifted basis.
 bool ModularBasis::generators_reduce_to_zero() const {
     const Ring image_ring = ring_.with_field(algebra::CoefficientField::prime(witness_->prime));
-    std::vector<Polynomial> basis;
-    for (const Polynomial& g : polynomials()) basis.push_back(g.in_ring(image_ring));
-    return std::ranges::all_of(generators_, [&](const Polynomial& f) {
-        return normal_form(f.primitive_part().in_ring(image_ring), basis, run_).is_zero();
+    const std::vector<Polynomial> basis = image_of_basis(*witness_, image_ring);
+    std::atomic<bool> all_vanish{true};
+    base::parallel_for(run_, generators_.size(), [&](std::size_t i, std::size_t) {
+        if (!all_vanish.load(std::memory_order_relaxed)) return;
+        const Polynomial f = generators_[i].primitive_part().in_ring(image_ring);
+        if (!normal_form(f, basis, run_).is_zero()) all_vanish.store(false, std::memory_order_relaxed);
     });
+    return all_vanish.load();
+}
+
+/// The number of the lifted vector that belongs to an element of the basis.
+std::size_t ModularBasis::vector_of(std::size_t element) const {
+    if (extent_ == F4Trace::Extent::basis) return element;
+    // Among all elements those of the basis come last, descending.
+    const auto numbers = attempt_->trace.element_numbers();
+    return numbers[numbers.size() - 1 - element];
+}
+
+std::vector<Polynomial> ModularBasis::image_of_basis(const F4Trace::Image& image,
+                                                     const Ring& image_ring) const {
+    const std::vector<Polynomial>& learned = attempt_->trace.basis().elements;
+    std::vector<std::size_t> begins = {0};
+    for (const std::size_t size : sizes_of(attempt_->trace, extent_)) begins.push_back(begins.back() + size);
+    std::vector<Polynomial> result;
+    for (std::size_t k = 0; k < learned.size(); ++k) {
+        run_.poll();
+        const Polynomial& f = learned[k];
+        const std::uint32_t* coefficients = image.coefficients.data() + begins[vector_of(k)];
+        algebra::ResidueTerms terms(image_ring.layout(f.layout().bits()));
+        terms.reserve(f.size());
+        for (std::size_t i = 0; i < f.size(); ++i) {
+            if (coefficients[i] != 0) terms.push_back(f.packed_monomial(i), coefficients[i]);
+        }
+        result.push_back(Polynomial::from_terms(image_ring, std::move(terms)));
+    }
+    return result;
 }
 
 std::vector<Polynomial> ModularBasis::polynomials() const {
-    std::vector<Polynomial> result;
     const std::vector<Polynomial>& learned = attempt_->trace.basis().elements;
     const auto& vectors = attempt_->lifting.vectors();
-    const auto numbers = attempt_->trace.element_numbers();
-    for (std::size_t i = 0; i < learned.size(); ++i) {
-        // Among all elements those of the basis come last, descending.
-        const std::size_t place = extent_ == F4Trace::Extent::basis ? i : numbers[numbers.size() - 1 - i];
-        result.push_back(with_coefficients(learned[i], ring_, vectors[place].numerators));
-    }
+    std::vector<Polynomial> result(learned.size(), Polynomial(ring_));
+    base::parallel_for(run_, learned.size(), [&](std::size_t i, std::size_t) {
+        result[i] = with_coefficients(learned[i], ring_, vectors[vector_of(i)].numerators);
+    });
     return result;
 }
 

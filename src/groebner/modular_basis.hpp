@@ -65,6 +65,9 @@ class ModularBasis {
     void add_batch();
     bool agrees_with_witness();
     bool generators_reduce_to_zero() const;
+    std::vector<algebra::Polynomial> image_of_basis(const F4Trace::Image& image,
+                                                    const algebra::Ring& image_ring) const;
+    std::size_t vector_of(std::size_t element) const;
     std::vector<algebra::Polynomial> polynomials() const;
 
     algebra::Ring ring_;

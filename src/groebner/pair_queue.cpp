@@ -41,6 +41,7 @@ std::vector<PairQueue::NewPair> PairQueue::pairs_with(const Basis<Element>& basi
     const Word* lead = basis.lead(added);
     std::vector<NewPair> fresh;
     for (std::uint32_t i = 0; i < added; ++i) {
+        run_.poll();
         if (basis[i].redundant) continue;
         NewPair entry{{i, added, 0, 0, std::vector<Word>(layout.words())},
                       layout.coprime(basis.lead(i), lead)};
@@ -63,6 +64,7 @@ std::vector<PairQueue::NewPair> PairQueue::pairs_with(const Basis<Element>& basi
 std::vector<CriticalPair> PairQueue::filter_new(const MonomialLayout& layout, std::vector<NewPair> fresh,
                                                 Statistics& statistics) const {
     std::ranges::sort(fresh, [&](const NewPair& a, const NewPair& b) {
+        run_.poll();
         const int side = layout.compare(a.pair.lcm.data(), b.pair.lcm.data());
         if (side != 0) return side < 0;
         if (a.coprime != b.coprime) return a.coprime; // stands for its class of equal lcms
@@ -71,6 +73,7 @@ std::vector<CriticalPair> PairQueue::filter_new(const MonomialLayout& layout, st
     std::vector<NewPair> kept; // ascending lcms, pairwise distinct, none divides another
     std::vector<std::uint64_t> masks;
     for (NewPair& candidate : fresh) {
+        run_.poll();
         const Word* lcm = candidate.pair.lcm.data();
         const std::uint64_t mask = layout.divisibility_mask(lcm);
         bool excused = false;
@@ -109,6 +112,7 @@ void PairQueue::filter_old(const Basis<Element>& basis, std::uint32_t added, Sta
                !layout.equal(with_added.data(), lcm.data());
     };
     const std::size_t removed = std::erase_if(pairs_, [&](const CriticalPair& pair) {
+        run_.poll();
         return pair.first != CriticalPair::generator && layout.divides(lead, pair.lcm.data()) &&
                differs(pair.first, pair.lcm) && differs(pair.second, pair.lcm);
     });
@@ -120,7 +124,10 @@ void PairQueue::update(const Basis<Element>& basis, std::uint32_t added, Statist
     const MonomialLayout& layout = basis.layout();
     std::vector<CriticalPair> kept = filter_new(layout, pairs_with(basis, added), statistics);
     filter_old(basis, added, statistics);
-    const auto order = [&](const CriticalPair& a, const CriticalPair& b) { return later(layout, a, b); };
+    const auto order = [&](const CriticalPair& a, const CriticalPair& b) {
+        run_.poll();
+        return later(layout, a, b);
+    };
     std::ranges::sort(kept, order);
     const auto middle = static_cast<std::ptrdiff_t>(pairs_.size());
     pairs_.insert(pairs_.end(), std::move_iterator(kept.begin()), std::move_iterator(kept.end()));

@@ -23,8 +23,11 @@ struct CriticalPair {
 /// The pairs that remain to be treated, best last, and the criteria that keep them few.
 class PairQueue {
   public:
-    PairQueue(Selection selection, bool by_degree, const Grading& grading)
-        : selection_(selection), by_degree_(by_degree), grading_(grading) {}
+    /// \param by_degree whether selection normal goes by the degree of the lcm first
+    /// \param grading kept as a reference
+    /// \param run kept as a reference, and polled: an element can have a hundred thousand pairs
+    PairQueue(Selection selection, bool by_degree, const Grading& grading, const base::Run& run)
+        : selection_(selection), by_degree_(by_degree), grading_(grading), run_(run) {}
 
     bool empty() const { return pairs_.empty(); }
     std::size_t size() const { return pairs_.size(); }
@@ -38,7 +41,8 @@ class PairQueue {
 
     /// Accounts for the element `added`, the last of the basis: forms its pairs with the elements that are
     /// not redundant, and discards pairs, old and new, that the criteria make superfluous. Throws
-    /// LayoutTooNarrow (and has changed nothing) where an lcm does not fit.
+    /// LayoutTooNarrow (and has changed nothing) where an lcm does not fit. After Stopped the queue is of no
+    /// more use.
     template <class Element>
     void update(const Basis<Element>& basis, std::uint32_t added, Statistics& statistics);
 
@@ -62,6 +66,7 @@ class PairQueue {
     Selection selection_;
     bool by_degree_;
     const Grading& grading_;
+    const base::Run& run_;
     std::vector<CriticalPair> pairs_; ///< sorted, the one to be treated next is the last
 };
 

@@ -50,6 +50,11 @@ TEST(Limits, ReachedMemoryLimitIsStatus3) {
     // One below the size of any process, and one that is reached on the way.
     expect_error(run({"groebner", "x", "--memory-limit", "100K"}), 3, "memory limit reached");
     expect_incomplete(run(endless({"--memory-limit", "100K", "--format", "json"})), "memory limit reached");
+    // In the midst of matrices, modulo one prime and over QQ, on several threads.
+    for (const char* field : {"GF(2147483647)", "QQ"})
+        expect_error(
+            run(endless({"--memory-limit", "60M", "--threads", "3", "--algorithm", "f4", "--field", field})),
+            3, "memory limit reached");
 #ifndef ELIMINANT_SANITIZED
     expect_error_with(run({"groebner", "--memory-limit", "20M", "(x+y+z+t+u+v+1)^30"}), 3, "memory");
 #endif
@@ -127,6 +132,12 @@ TEST(Limits, StatisticsAreForTheVerbose) {
     const ProcessResult result = run({"groebner", "-v", "x^2-y", "y^2-x"});
     EXPECT_NE(result.errors.find("pairs treated: "), std::string::npos);
     EXPECT_EQ(result.output, run({"groebner", "x^2-y", "y^2-x"}).output);
+    // By F4 a line for each matrix, and what its columns are.
+    const ProcessResult f4 =
+        run({"groebner", "-v", "--field", "GF(101)", "--algorithm", "f4", "x^2*y-1", "x*y^2-x", "x+y+z-1"});
+    EXPECT_NE(f4.errors.find("density: share of entries that are not 0"), std::string::npos);
+    EXPECT_NE(f4.errors.find("%"), std::string::npos);
+    EXPECT_NE(f4.errors.find("; matrices: "), std::string::npos);
 }
 
 } // namespace

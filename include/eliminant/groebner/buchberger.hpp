@@ -18,6 +18,20 @@ enum class Selection {
     sugar,  ///< least sugar, then least lcm (Giovini, Mora, Niesi, Robbiano, Traverso 1991)
 };
 
+/// What F4 did with one batch of pairs.
+struct MatrixStatistics {
+    std::uint64_t degree = 0;          ///< largest sugar of its pairs and generators
+    std::uint64_t pairs = 0;           ///< treated together
+    std::uint64_t rows = 0;            ///< those to be reduced and those they are reduced by
+    std::uint64_t columns = 0;         ///< monomials
+    std::uint64_t entries = 0;         ///< that are not 0
+    std::uint64_t new_elements = 0;    ///< rows that were left
+    std::uint64_t zero_reductions = 0; ///< pairs that gave none
+
+    /// Share of the entries that are not 0.
+    double density() const;
+};
+
 /// What a basis computation did, and what each criterion saved.
 struct Statistics {
     std::uint64_t pairs_treated = 0;      ///< S-polynomials formed and reduced
@@ -30,12 +44,11 @@ struct Statistics {
     std::uint64_t zero_modulo_prime = 0;   ///< pairs passed over in the first pass over ℚ
     std::uint64_t basis_elements_made = 0; ///< elements that entered the basis, redundant ones included
 
-    std::uint64_t primes = 0;              ///< F4 over ℚ: primes of which images were made
-    std::uint64_t matrices = 0;            ///< F4: batches of pairs
-    std::uint64_t largest_matrix_rows = 0; ///< F4: of the matrix with the largest area
-    std::uint64_t largest_matrix_columns = 0;
-    std::uint64_t largest_matrix_entries = 0; ///< F4: its entries that are not 0
+    std::uint64_t primes = 0;               ///< F4 over ℚ: primes of which images were made
+    std::vector<MatrixStatistics> matrices; ///< F4, in sequence; over ℚ modulo the prime that was learned
 
+    /// The matrix with the largest area, null if there was none.
+    const MatrixStatistics* largest_matrix() const;
     Statistics& operator+=(const Statistics& other);
 };
 
