@@ -1,7 +1,7 @@
 #include "implicit/hypersurface.hpp"
 
+#include "algebra/rational_lifting.hpp"
 #include "base/parallel.hpp"
-#include "implicit/remaindering.hpp"
 
 #include <algorithm>
 #include <list>
@@ -25,11 +25,70 @@ ScaledProblem hypersurface_problem(const RationalMap& map, const algebra::Ring& 
     return scaled;
 }
 
+namespace {
+
+/// Images of one shape, and the polynomial over ℚ behind them.
+class Attempt {
+  public:
+    /// \param ring over ℚ
+    /// \param image tells the shape
+    Attempt(algebra::Ring ring, const Polynomial& image)
+        : ring_(std::move(ring)), shape_(image), lifting_({image.size()}) {}
+
+    /// Whether the image has the same leading monomial and no other terms; then it is added.
+    bool take(const Polynomial& image) {
+        auto residues = residues_of(image);
+        if (!residues) return false;
+        lifting_.add(image.ring().field().characteristic(), std::move(*residues));
+        return true;
+    }
+
+    /// The polynomial, once there are enough images. When there are many it is tried only after some more.
+    std::optional<Polynomial> lift(base::Run& run) {
+        if (lifting_.prime_count() < next_trial_) return std::nullopt;
+        next_trial_ = lifting_.prime_count() + 1 + lifting_.prime_count() / 64;
+        if (!lifting_.lift(run)) return std::nullopt;
+        const auto found = lifting_.take_vectors();
+        algebra::PolynomialBuilder builder(ring_);
+        std::vector<std::uint64_t> exponents(ring_.variable_count());
+        for (std::size_t i = 0; i < shape_.size(); ++i) {
+            for (std::size_t j = 0; j < exponents.size(); ++j) exponents[j] = shape_.exponent(i, j);
+            builder.add(found[0].numerators[i], exponents);
+        }
+        return builder.build().primitive_part();
+    }
+
+  private:
+    std::optional<std::vector<std::uint32_t>> residues_of(const Polynomial& image) const {
+        std::vector<std::uint32_t> residues(shape_.size(), 0);
+        std::size_t i = 0;
+        for (std::size_t term = 0; term < image.size(); ++term, ++i) {
+            while (i < shape_.size() && !is_term(i, image, term)) ++i;
+            if (i == shape_.size()) return std::nullopt;
+            residues[i] = image.residue_terms().coefficients[term];
+        }
+        if (residues.front() == 0) return std::nullopt;
+        return residues;
+    }
+
+    bool is_term(std::size_t i, const Polynomial& image, std::size_t term) const {
+        for (std::size_t j = 0; j < ring_.variable_count(); ++j)
+            if (shape_.exponent(i, j) != image.exponent(term, j)) return false;
+        return true;
+    }
+
+    algebra::Ring ring_;
+    Polynomial shape_; ///< the first image: its monomials
+    algebra::RationalLifting lifting_;
+    std::size_t next_trial_ = 0;
+};
+
+} // namespace
+
 std::optional<HypersurfaceEquation> equation_from_images(const algebra::Ring& ring, std::uint64_t prime_bound,
                                                          const ImageModulo& image, base::Run& run) {
     constexpr std::uint64_t max_useless = 20; // primes
-    std::list<Remaindering> attempts;
-    std::optional<Polynomial> candidate;
+    std::list<Attempt> attempts;
     std::uint64_t used = 0;
     std::uint64_t useless = 0;
     for (std::uint64_t p = prime_bound; useless < max_useless;) {
@@ -50,13 +109,13 @@ std::optional<HypersurfaceEquation> equation_from_images(const algebra::Ring& ri
                 ++useless;
                 continue;
             }
-            if (candidate && candidate->in_ring(f->ring()).monic() == *f)
-                return HypersurfaceEquation{std::move(*candidate), used, {}};
-            auto attempt =
-                std::ranges::find_if(attempts, [&](const Remaindering& a) { return a.accepts({*f}); });
-            if (attempt == attempts.end()) attempt = attempts.emplace(attempts.end(), ring);
-            attempt->add({*f}, run);
-            if (auto elements = attempt->reconstruct(run)) candidate = std::move(elements->front());
+            auto attempt = std::ranges::find_if(attempts, [&](Attempt& a) { return a.take(*f); });
+            if (attempt == attempts.end()) {
+                attempt = attempts.emplace(attempts.end(), ring, *f);
+                attempt->take(*f);
+            }
+            if (auto equation = attempt->lift(run))
+                return HypersurfaceEquation{std::move(*equation), used, {}};
         }
     }
     return std::nullopt;

@@ -51,7 +51,9 @@ ScaledProblem hypersurface_problem(const RationalMap& map, const algebra::Ring& 
 using ImageModulo = std::function<std::optional<algebra::Polynomial>(const algebra::PrimeField& field)>;
 
 /// Puts an equation together from its images modulo the primes below `prime_bound`, from the greatest down,
-/// until what is reconstructed agrees with the image modulo one prime more. nullopt if `max_useless` primes
+/// until all coefficients are so short beside the product of the primes that chance would hardly make them so
+/// (algebra::RationalLifting). Memory for a word a term and prime, which is about twice the equation's.
+/// nullopt if `max_useless` primes
 /// are of no use.
 std::optional<HypersurfaceEquation> equation_from_images(const algebra::Ring& ring, std::uint64_t prime_bound,
                                                          const ImageModulo& image, base::Run& run);

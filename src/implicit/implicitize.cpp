@@ -23,9 +23,9 @@ constexpr const char* dense_warning = "the image is dense: no polynomial other t
 constexpr const char* empty_warning =
     "the image is empty: the relations leave no parameter values at which all "
     "coordinates are defined";
-constexpr std::string_view confirmation = "the equation, put together from images modulo primes, has the "
-                                          "right image modulo one prime more; no theorem "
-                                          "bounds the error";
+constexpr std::string_view confirmation = "the equation was put together from images modulo primes whose "
+                                          "product is 40 bits longer than each coefficient needs; no "
+                                          "theorem bounds the error";
 constexpr const char* closure_note =
     "the equations describe the closure of the image, which may contain (real) points that no parameter "
     "values reach";

@@ -61,9 +61,10 @@ double bits_of(const RationalMap& map) {
     return bits;
 }
 
-/// Reconstruction of a fraction needs twice as many bits, and a prime confirms it.
+/// Most coefficients are found over the denominator of those before, so fractions cost nothing.
 double predicted_primes(double coefficient_bits) {
-    return 2 + std::floor(2 * coefficient_bits / bits_of_prime);
+    constexpr double margin = 40;
+    return 1 + std::floor((coefficient_bits + margin) / bits_of_prime);
 }
 
 double number_of_terms(const RationalMap& map) {
