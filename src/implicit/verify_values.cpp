@@ -15,7 +15,8 @@ std::vector<std::size_t> sequence_of_variables(const Polynomial& f, const std::v
     std::vector<std::size_t> variables(f.ring().variable_count());
     std::iota(variables.begin(), variables.end(), std::size_t{0});
     std::ranges::stable_sort(variables, {}, [&](std::size_t i) { return f.degree(i); });
-    std::ranges::stable_partition(variables, [&](std::size_t i) { return fixed.empty() || !fixed[i]; });
+    std::stable_partition(variables.begin(), variables.end(),
+                          [&](std::size_t i) { return fixed.empty() || !fixed[i]; });
     return variables;
 }
 

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <random>
+
 namespace eliminant::test {
 namespace {
 
@@ -30,25 +32,43 @@ TEST(Verify, ACertificateIsAcceptedAndSaysWhatWasChecked) {
         EXPECT_EQ(run_with_input({"verify", "-"}, certificate_of(input)).status, 0);
 }
 
-TEST(Verify, EveryChangedValueIsRejected) {
-    const Json original = Json::parse(certificate_of({"x = 2*t^2/(t+1)", "y = t^3"}));
-    const Json flat = original.flatten();
-    EXPECT_GT(flat.size(), 25U);
-    for (const auto& [path, value] : flat.items()) {
-        Json changed = original;
-        Json& place = changed[Json::json_pointer(path)];
-        if (value.is_number())
-            place = value.get<std::uint64_t>() + 1;
-        else if (value.is_string())
-            place = value.get<std::string>() + "1";
-        else
-            place = "1";
-        const int status = run_with_input({"verify", "-"}, changed.dump()).status;
-        EXPECT_TRUE(status == 1 || status == 2) << path << ": " << status;
+/// What each value may be replaced by: numbers by their neighbours, texts by the same with one character
+/// more, or another one at a random place.
+std::vector<Json> replacements(const Json& value, std::mt19937_64& random) {
+    if (value.is_number()) {
+        const auto number = value.get<std::uint64_t>();
+        return {number + 1, number == 0 ? number + 2 : number - 1, random() >> 32, -1, "1"};
     }
-    Json longer = original;
-    longer["claims"]["more"] = 1;
-    EXPECT_EQ(run_with_input({"verify", "-"}, longer.dump()).status, 2);
+    if (!value.is_string()) return {"1", 7};
+    const auto text = value.get<std::string>();
+    std::string other = text;
+    if (!other.empty()) {
+        char& character = other[random() % other.size()];
+        character = character == '7' ? '8' : '7';
+    }
+    return {text + "1", other.empty() ? "7" : other, 1};
+}
+
+TEST(Verify, EveryChangedValueIsRejected) {
+    std::mt19937_64 random(6);
+    for (const std::vector<std::string>& input : {std::vector<std::string>{"x = 2*t^2/(t+1)", "y = t^3"},
+                                                  {"x = u+v", "y = u^2", "relation u^2+v^2 = 1"},
+                                                  {"constants r", "x = r*cos(u)", "y = sin(u)", "z = u*r"}}) {
+        const Json original = Json::parse(certificate_of(input));
+        const Json flat = original.flatten();
+        EXPECT_GT(flat.size(), 20U);
+        for (const auto& [path, value] : flat.items())
+            for (const Json& other : replacements(value, random)) {
+                if (other == value) continue;
+                Json changed = original;
+                changed[Json::json_pointer(path)] = other;
+                const int status = run_with_input({"verify", "-"}, changed.dump()).status;
+                EXPECT_TRUE(status == 1 || status == 2) << path << ": " << other << ": " << status;
+            }
+        Json longer = original;
+        longer["claims"]["more"] = 1;
+        EXPECT_EQ(run_with_input({"verify", "-"}, longer.dump()).status, 2);
+    }
 }
 
 TEST(Verify, WhatIsNoCertificateIsBadInput) {
@@ -90,12 +110,18 @@ TEST(Verify, CertificateAndResultDoNotGoToOnePlace) {
     EXPECT_TRUE(scratch.names().empty());
 }
 
-TEST(Verify, NoCertificateIsWrittenForRelations) {
+TEST(Verify, RelationsAreCertifiedOrTheReasonIsSaid) {
+    const ProcessResult parabola =
+        run_with_input({"verify", "-"}, certificate_of({"x = s", "y = t", "relation s^2 = t"}));
+    EXPECT_EQ(parabola.status, 0);
+    EXPECT_NE(parabola.output.find("lower degree"), std::string::npos);
+
     const ScratchDirectory scratch;
-    const ProcessResult result = run(
-        {"implicitize", "x = s", "y = t", "relation s^2 = t", "--certificate", scratch.path("certificate")});
-    EXPECT_EQ(result.output, "x^2-y\n");
-    EXPECT_NE(result.errors.find("no certificate"), std::string::npos);
+    const ProcessResult result =
+        run({"implicitize", "x = s", "y = t", "relation s^2-s = 0", "relation t*(t-1)*(t-s) = 0",
+             "--certificate", scratch.path("certificate")});
+    EXPECT_EQ(result.output, "y^2-y\nx^2-x\n");
+    EXPECT_NE(result.errors.find("no certificate was written: an equation"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(scratch.path("certificate")));
 }
 
