@@ -39,7 +39,9 @@ void set_option(std::string_view shown, const Set& set, std::string_view value) 
     } catch (const ParseError&) { // it names the option as its source, and the place in it
         throw;
     } catch (const Error& error) {
-        throw UsageError(std::string(shown) + ": " + error.what());
+        const std::string message = error.what();
+        const std::string subject = std::string(shown) + ": ";
+        throw UsageError(message.starts_with(subject) ? message : subject + message);
     }
 }
 

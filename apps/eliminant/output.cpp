@@ -37,6 +37,20 @@ void write_blocks(int descriptor, std::string_view text, const std::string& file
     }
 }
 
+void write_blocks_at(int descriptor, std::string_view text, std::uint64_t offset, const std::string& file,
+                     Run& run) {
+    while (!text.empty()) {
+        if (run.stop_reason() == StopReason::interrupted) run.poll();
+        const ssize_t written = pwrite(descriptor, text.data(), text.size(), static_cast<off_t>(offset));
+        if (written >= 0) {
+            text.remove_prefix(static_cast<std::size_t>(written));
+            offset += static_cast<std::uint64_t>(written);
+        } else if (errno != EINTR) {
+            throw write_error(file, errno);
+        }
+    }
+}
+
 /// Opens a device or a pipe, which may have to wait for its reader.
 int open_in_place(const std::string& file, Run& run) {
     for (;;) {
@@ -133,6 +147,37 @@ class OutputStream::TemporaryFile {
     int descriptor_ = -1;
 };
 
+/// A nameless temporary file.
+class OutputStream::Spool {
+  public:
+    Spool() : file_(std::tmpfile()) {
+        if (file_ == nullptr) throw FileError("a temporary file", errno);
+    }
+    ~Spool() { std::fclose(file_); }
+    Spool(const Spool&) = delete;
+    Spool& operator=(const Spool&) = delete;
+
+    void write_at(std::uint64_t offset, std::string_view text, Run& run) {
+        write_blocks_at(fileno(file_), text, offset, "a temporary file", run);
+    }
+    void copy_to(int descriptor, const std::string& file, Run& run) const {
+        constexpr std::size_t block = 1 << 20;
+        std::string text(block, '\0');
+        for (std::uint64_t offset = 0;;) {
+            const ssize_t count = pread(fileno(file_), text.data(), block, static_cast<off_t>(offset));
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) throw FileError("a temporary file", errno);
+            if (count == 0) return;
+            offset += static_cast<std::uint64_t>(count);
+            write_blocks(descriptor, std::string_view(text).substr(0, static_cast<std::size_t>(count)), file,
+                         run);
+        }
+    }
+
+  private:
+    std::FILE* file_;
+};
+
 OutputStream::OutputStream(std::string file, std::string target, Run& run)
     : file_(std::move(file)), target_(std::move(target)), run_(&run) {
     if (file_.empty()) {
@@ -147,7 +192,8 @@ OutputStream::OutputStream(std::string file, std::string target, Run& run)
 
 OutputStream::OutputStream(OutputStream&& other) noexcept
     : file_(std::move(other.file_)), target_(std::move(other.target_)), run_(other.run_),
-      descriptor_(std::exchange(other.descriptor_, -1)), temporary_(std::move(other.temporary_)) {}
+      descriptor_(std::exchange(other.descriptor_, -1)), temporary_(std::move(other.temporary_)),
+      spool_(std::move(other.spool_)) {}
 
 OutputStream::~OutputStream() {
     if (descriptor_ >= 0 && descriptor_ != STDOUT_FILENO && !temporary_) close(descriptor_);
@@ -155,7 +201,14 @@ OutputStream::~OutputStream() {
 
 void OutputStream::write(std::string_view text) { write_blocks(descriptor_, text, file_, *run_); }
 
+void OutputStream::write_at(std::uint64_t offset, std::string_view text) {
+    if (temporary_) return write_blocks_at(descriptor_, text, offset, file_, *run_);
+    if (!spool_) spool_ = std::make_unique<Spool>();
+    spool_->write_at(offset, text, *run_);
+}
+
 void OutputStream::finish() {
+    if (spool_) spool_->copy_to(descriptor_, file_, *run_);
     const int descriptor = std::exchange(descriptor_, -1);
     if (temporary_) {
         if (const std::optional<mode_t> mode = mode_of(target_))

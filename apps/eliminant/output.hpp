@@ -4,6 +4,7 @@
 
 #include "eliminant/base/run.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -44,12 +45,17 @@ class OutputStream {
 
     /// \throws FileError, and Stopped if the run is interrupted meanwhile
     void write(std::string_view text);
-    /// After the last part: the file gets its name. \throws FileError
+    /// For a result whose parts come in another sequence than they have in the file, instead of write().
+    /// Standard output, devices and pipes receive it at finish(); until then it is in a nameless file where
+    /// temporary files go. \throws as write()
+    void write_at(std::uint64_t offset, std::string_view text);
+    /// After the last part: the file gets its name. \throws FileError, Stopped
     void finish();
 
   private:
     friend class Destination;
     class TemporaryFile;
+    class Spool;
     OutputStream(std::string file, std::string target, Run& run);
 
     std::string file_;   ///< as in Destination
@@ -57,6 +63,7 @@ class OutputStream {
     Run* run_;
     int descriptor_ = -1;
     std::unique_ptr<TemporaryFile> temporary_; ///< if the file is replaced
+    std::unique_ptr<Spool> spool_;             ///< of write_at() without one
 };
 
 } // namespace eliminant::app

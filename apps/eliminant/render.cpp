@@ -21,7 +21,8 @@ class PictureFile {
   public:
     PictureFile(OutputStream stream, ImageFormat format, ImageSize size)
         : stream_(std::move(stream)),
-          writer_(make_writer(format, size, [this](std::string_view bytes) { stream_.write(bytes); })) {}
+          writer_(format == ImageFormat::pfm ? render::make_seeking_writer(format, size, placing())
+                                             : make_writer(format, size, appending())) {}
     PictureFile(const PictureFile&) = delete;
     PictureFile& operator=(const PictureFile&) = delete;
 
@@ -32,6 +33,13 @@ class PictureFile {
     }
 
   private:
+    render::ByteSink appending() {
+        return [this](std::string_view bytes) { stream_.write(bytes); };
+    }
+    render::PositionedSink placing() {
+        return [this](std::uint64_t offset, std::string_view bytes) { stream_.write_at(offset, bytes); };
+    }
+
     OutputStream stream_;
     std::unique_ptr<render::ImageWriter> writer_;
 };
@@ -96,6 +104,7 @@ class RenderCommand : public Command {
         const bool has_picture = check_output(session);
         const RenderOptions options = settings_.rendering();
         const ImageFormat format = has_picture ? settings_.format_of(session.output()) : ImageFormat::png;
+        for (const std::string& warning : settings_.unused()) session.console().warning(warning);
         std::optional<Destination> depth_destination;
         if (const std::string& file = settings_.depth_file(); !file.empty())
             depth_destination =

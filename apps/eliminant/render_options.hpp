@@ -10,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -38,10 +39,12 @@ class RenderSettings {
         Lighting lighting;
     };
     /// \param framed_part what is drawn and looked at if no bounded region was given; not asked otherwise
-    /// \throws DomainError for a camera that is none; what the function throws
+    /// \throws UsageError for a camera that is none; what the function throws
     View view(const std::function<Ball()>& framed_part) const;
     /// \throws UsageError for options that exclude each other
     RenderOptions rendering() const;
+    /// What was said to no effect, a sentence each.
+    std::vector<std::string> unused() const;
 
   private:
     void declare_picture(OptionSet& options);
@@ -61,7 +64,7 @@ class RenderSettings {
     std::optional<glm::dvec3> origin_;
     std::optional<glm::dvec3> look_at_;
     std::optional<glm::dvec3> up_;
-    double field_of_view_ = 30;
+    std::optional<double> field_of_view_;
     std::optional<double> orthographic_height_;
     ClipRegion clip_;
 
@@ -74,10 +77,13 @@ class RenderSettings {
     std::optional<double> shininess_;
     bool shadows_ = false;
     bool ambient_occlusion_ = false;
+    std::optional<std::uint32_t> shadow_rays_;
+    std::optional<std::uint32_t> ambient_rays_;
 
     Bound bound_ = Bound::guaranteed;
     Tracing tracing_ = Tracing::automatic;
-    SphereTracing stepping_{};
+    std::optional<double> over_relaxation_;
+    std::optional<std::uint32_t> most_steps_;
     bool full_sampling_ = false;
 };
 

@@ -66,17 +66,31 @@ double read_number(const SourceText& text) {
     return value;
 }
 
+double read_number_in(const SourceText& text, double least, double most, std::string_view expected) {
+    const double value = read_number(text);
+    if (!(value >= least && value <= most)) fail(text, expected);
+    return value;
+}
+
 std::vector<double> read_numbers(const SourceText& text, std::size_t count) {
     const std::vector<SourceText> parts = parts_of(text, ',');
     if (parts.size() != count) fail(text, std::to_string(count) + " numbers separated by commas");
     std::vector<double> numbers;
-    for (const SourceText& part : parts) numbers.push_back(read_number(part));
+    for (const SourceText& part : parts)
+        numbers.push_back(
+            read_number_in(part, -most_coordinate, most_coordinate, "numbers from -1e100 to 1e100"));
     return numbers;
 }
 
 glm::dvec3 read_point(const SourceText& text) {
     const std::vector<double> numbers = read_numbers(text, 3);
     return {numbers[0], numbers[1], numbers[2]};
+}
+
+glm::dvec3 read_direction(const SourceText& text) {
+    const glm::dvec3 direction = read_point(text);
+    if (direction == glm::dvec3(0)) fail(text, "a direction other than 0,0,0");
+    return direction;
 }
 
 ImageSize read_size(std::string_view text) {
@@ -112,12 +126,15 @@ void add_region(ClipRegion& region, const SourceText& text) {
     const std::string_view kind = text.text().substr(0, colon);
     const SourceText rest = text.section(std::min(colon + 1, text.size()), text.size());
     if (kind == "sphere") {
-        region.add(Ball{glm::dvec3(0), read_number(rest)});
+        region.add(Ball{glm::dvec3(0), read_number_in(rest, 0, most_coordinate, "a radius from 0 to 1e100")});
     } else if (kind == "box") {
         const std::vector<double> b = read_numbers(rest, 6);
+        if (b[0] > b[3] || b[1] > b[4] || b[2] > b[5])
+            fail(text, "the lower corner of a box before the upper one");
         region.add(Box{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}});
     } else if (kind == "halfspace") {
         const std::vector<double> h = read_numbers(rest, 4);
+        if (h[0] == 0 && h[1] == 0 && h[2] == 0) fail(text, "a half-space with a normal other than 0,0,0");
         region.add(HalfSpace{{h[0], h[1], h[2]}, h[3]});
     } else {
         fail(text, "sphere:R, box:x0,y0,z0,x1,y1,z1 or halfspace:a,b,c,d");
@@ -128,9 +145,10 @@ DirectionalLight read_light(const SourceText& text) {
     const std::vector<SourceText> parts = parts_of(text, ';');
     if (parts.size() > 3) fail(text, "x,y,z or x,y,z;COLOUR or x,y,z;COLOUR;DEGREES");
     DirectionalLight light;
-    light.towards = read_point(parts[0]);
+    light.towards = read_direction(parts[0]);
     if (parts.size() > 1) light.colour = read_colour(parts[1]);
-    if (parts.size() > 2) light.angular_radius = read_number(parts[2]);
+    if (parts.size() > 2)
+        light.angular_radius = read_number_in(parts[2], 0, 45, "an angle from 0 to 45 degrees");
     return light;
 }
 

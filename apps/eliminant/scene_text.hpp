@@ -18,11 +18,20 @@ namespace eliminant::app {
 /// \throws ParseError, and UsageError if no double is that large
 double read_number(const SourceText& text);
 
+/// The same within bounds, which `expected` names. \throws UsageError if it is not, too
+double read_number_in(const SourceText& text, double least, double most, std::string_view expected);
+
 /// So many numbers, separated by commas. \throws ParseError, UsageError
 std::vector<double> read_numbers(const SourceText& text, std::size_t count);
 
-/// `x,y,z`. \throws ParseError, UsageError
+/// `x,y,z`, none of them beyond most_coordinate. \throws ParseError, UsageError
 glm::dvec3 read_point(const SourceText& text);
+
+/// The same other than 0,0,0. \throws ParseError, UsageError
+glm::dvec3 read_direction(const SourceText& text);
+
+/// Squares and cubes of coordinates up to here are finite.
+inline constexpr double most_coordinate = 1e100;
 
 /// A picture's size, as `640x480`. \throws UsageError
 ImageSize read_size(std::string_view text);
@@ -32,7 +41,7 @@ ImageSize read_size(std::string_view text);
 render::Colour read_colour(const SourceText& text);
 
 /// Adds what `sphere:R`, `box:x0,y0,z0,x1,y1,z1` or `halfspace:a,b,c,d` (ax + by + cz ≤ d) stands for.
-/// \throws ParseError, UsageError, DomainError
+/// \throws ParseError, UsageError
 void add_region(ClipRegion& region, const SourceText& text);
 
 /// `x,y,z[;COLOUR[;DEGREES]]`: where the light is, its colour, and how large it looks.

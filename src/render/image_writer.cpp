@@ -85,26 +85,45 @@ class PngWriter : public ImageWriter {
 
 class PfmWriter : public ImageWriter {
   public:
-    PfmWriter(ImageSize size, ByteSink sink) : ImageWriter(size), sink_(std::move(sink)) {}
+    PfmWriter(ImageSize size, PositionedSink sink)
+        : ImageWriter(size), sink_(std::move(sink)), header_(header("PF", size, "-1.0")) { // little-endian
+        sink_(0, header_);
+    }
 
   private:
     void encode(const ImageRows& rows) override {
-        colours_.insert(colours_.end(), rows.colours.begin(), rows.colours.end());
-    }
-    void encode_end() override {
-        sink_(header("PF", size(), "-1.0")); // negative: little-endian
-        const std::size_t row = 3 * std::size_t{size().width};
+        const std::size_t values = 3 * std::size_t{rows.width};
         std::string bytes;
-        for (std::size_t begin = colours_.size(); begin > 0; begin -= row) {
+        for (std::uint32_t row = 0; row < rows.count; ++row) {
             bytes.clear();
-            for (const float value : std::span(colours_).subspan(begin - row, row))
+            for (const float value : rows.colours.subspan(row * values, values))
                 append_little_endian(bytes, std::bit_cast<std::uint32_t>(value));
-            sink_(bytes);
+            const std::uint64_t rows_below = size().height - 1 - (rows.first + row);
+            sink_(header_.size() + rows_below * bytes.size(), bytes);
         }
     }
 
+    PositionedSink sink_;
+    std::string header_;
+};
+
+/// Keeps a PFM for those who take it only from its beginning.
+class KeptPfmWriter : public ImageWriter {
+  public:
+    KeptPfmWriter(ImageSize size, ByteSink sink)
+        : ImageWriter(size), sink_(std::move(sink)),
+          writer_(size, [this](std::uint64_t offset, std::string_view bytes) {
+              file_.resize(std::max<std::size_t>(file_.size(), offset + bytes.size()));
+              file_.replace(offset, bytes.size(), bytes);
+          }) {}
+
+  private:
+    void encode(const ImageRows& rows) override { writer_.write(rows); }
+    void encode_end() override { sink_(file_); }
+
     ByteSink sink_;
-    std::vector<float> colours_;
+    std::string file_;
+    PfmWriter writer_;
 };
 
 class DepthWriter : public ImageWriter {
@@ -150,11 +169,21 @@ std::unique_ptr<ImageWriter> make_writer(ImageFormat format, ImageSize size, Byt
     case ImageFormat::ppm:
         return std::make_unique<PpmWriter>(size, std::move(sink));
     case ImageFormat::pfm:
-        return std::make_unique<PfmWriter>(size, std::move(sink));
+        return std::make_unique<KeptPfmWriter>(size, std::move(sink));
     case ImageFormat::depth:
         break;
     }
     return std::make_unique<DepthWriter>(size, std::move(sink));
+}
+
+std::unique_ptr<ImageWriter> make_seeking_writer(ImageFormat format, ImageSize size, PositionedSink sink) {
+    check_size(size);
+    if (format == ImageFormat::pfm) return std::make_unique<PfmWriter>(size, std::move(sink));
+    return make_writer(format, size,
+                       [sink = std::move(sink), offset = std::uint64_t{0}](std::string_view bytes) mutable {
+                           sink(offset, bytes);
+                           offset += bytes.size();
+                       });
 }
 
 void write_image(const Image& image, ImageFormat format, const ByteSink& sink) {

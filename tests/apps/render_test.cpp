@@ -290,9 +290,22 @@ TEST(Render, SaysWhatIsWrong) {
     };
     const ScratchDirectory scratch;
     const std::string file = scratch.path("picture.png");
-    expect({"-o", file, "--camera", "0,0,0"}, "look at a point other than its origin");
-    expect({"-o", file, "--up", "0,0,1"}, "up that is not parallel");
-    expect({"-o", file, "--fov", "180"}, "between 0 and 180");
+    expect({"-o", file, "--camera", "0,0,0"},
+           "--camera: expected a point other than the one that is looked at, found '0,0,0'");
+    expect({"-o", file, "--up", "0,0,1"},
+           "--up: expected a direction that is not along the line of sight, found '0,0,1'");
+    expect({"-o", file, "--fov", "180"},
+           "eliminant: --fov: expected an angle between 0 and 180 degrees, found '180'");
+    expect({"-o", file, "--fov", "20", "--orthographic", "3"}, "--fov: expected a perspective camera");
+    expect({"-o", file, "--orthographic", "0"}, "--orthographic: expected a height");
+    expect({"-o", file, "--specular", "3"}, "--specular: expected a part from 0 to 1, found '3'");
+    expect({"-o", file, "--shininess", "-1"}, "--shininess: expected a number from 0 to 10000");
+    expect({"-o", file, "--camera", "1e300,0,0"},
+           "eliminant: --camera: expected numbers from -1e100 to 1e100");
+    expect({"-o", file, "--up", "0,0,0"}, "--up: expected a direction other than 0,0,0");
+    expect({"-o", file, "--light", "1,0,0;1;90"},
+           "--light: expected an angle from 0 to 45 degrees, found '90'");
+    expect({"-o", file, "--clip", "halfspace:0,0,0,1"}, "--clip: expected a half-space with a normal");
     expect({"-o", file, "--fov", "wide"}, "--fov");
     expect({"-o", file, "--camera", "1,2"}, "--camera: expected 3 numbers separated by commas, found '1,2'");
     expect({"-o", file, "--camera", "1,2,1/0"}, "--camera:1:");
@@ -300,13 +313,14 @@ TEST(Render, SaysWhatIsWrong) {
     expect({"-o", file, "--size", "640"}, "--size: expected WIDTHxHEIGHT");
     expect({"-o", file, "--size", "0x5"}, "--size: expected a whole number from 1");
     expect({"-o", file, "--clip", "cube:1"}, "--clip: expected sphere:R, box:");
-    expect({"-o", file, "--clip", "box:1,1,1,0,0,0"}, "--clip");
-    expect({"-o", file, "--clip", "sphere:-1"}, "--clip");
+    expect({"-o", file, "--clip", "box:1,1,1,0,0,0"}, "--clip: expected the lower corner");
+    expect({"-o", file, "--clip", "sphere:-1"}, "--clip: expected a radius from 0");
     expect({"-o", file, "--antialias", "17"}, "--antialias");
-    expect({"-o", file, "--light", "0,0,0"}, "null vector");
+    expect({"-o", file, "--light", "0,0,0"}, "eliminant: --light: expected a direction other than 0,0,0");
     expect({"-o", file, "--light", "0,0,1;#12"}, "a colour as #e8a33d");
     expect({"-o", file, "--background", "2"}, "channels from 0 to 1");
-    expect({"-o", file, "--over-relaxation", "2", "--tracing", "spheres"}, "over-relaxation");
+    expect({"-o", file, "--over-relaxation", "2", "--tracing", "spheres"},
+           "--over-relaxation: expected a number F");
     expect({"-o", file, "--bound", "first", "--tracing", "roots"}, "--tracing");
     expect({"-o", file, "--bound", "third"}, "--bound: expected");
     expect({"-o", scratch.path("picture.jpeg")}, "a format png, ppm or pfm");
@@ -317,6 +331,31 @@ TEST(Render, SaysWhatIsWrong) {
     expect({"--preview"}, "--preview");
     expect_error_with(run({"render", "x^2+y^2 = r", "-o", file}), 2, "--set r=2");
     EXPECT_EQ(scratch.names(), std::vector<std::string>{});
+}
+
+TEST(Render, SaysWhatHasNoEffect) {
+    const ScratchDirectory scratch;
+    const std::string file = scratch.path("picture.png");
+    const auto expect_warning = [&](std::vector<std::string> options, const std::string& part) {
+        options.insert(options.end(), {"-o", file});
+        const ProcessResult outcome = run(ball(options));
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_NE(outcome.errors.find("warning: " + part), std::string::npos) << outcome.errors;
+    };
+    expect_warning({"--shadow-rays", "4"}, "--shadow-rays has no effect without --shadows");
+    expect_warning({"--ambient-rays", "4"}, "--ambient-rays has no effect without --ambient-occlusion");
+    expect_warning({"--max-steps", "4"}, "--max-steps has no effect without --tracing spheres");
+    expect_warning({"--sampling", "full"}, "--sampling has no effect without --antialias");
+    expect_warning({"--shadows", "--colouring", "normal"}, "lights, shadows and materials have no effect");
+}
+
+TEST(Render, PfmIsTheSameInFilesAndPipes) {
+    const ScratchDirectory scratch;
+    expect_quiet_success(run(ball({"-o", scratch.path("a.pfm"), "--size", "33x17"})));
+    const ProcessResult piped = run(ball({"--image-format", "pfm", "--size", "33x17"}));
+    EXPECT_EQ(piped.status, 0);
+    EXPECT_EQ(scratch.read("a.pfm"), piped.output);
+    EXPECT_EQ(piped.output.size(), std::string("PF\n33 17\n-1.0\n").size() + 33 * 17 * 12);
 }
 
 /// A picture that takes minutes.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -157,6 +158,17 @@ TEST(ImageFiles, BandsGiveTheSameFileAsTheWhole) {
                            all.depths.subspan(9 * first, 9 * count)});
         writer->finish();
         EXPECT_EQ(bytes, bytes_of(image, format));
+        std::string placed;
+        const auto seeking =
+            make_seeking_writer(format, {9, 40}, [&](std::uint64_t offset, std::string_view part) {
+                placed.resize(std::max<std::size_t>(placed.size(), offset + part.size()));
+                placed.replace(offset, part.size(), part);
+            });
+        for (const auto& [first, count] : {std::pair{0U, 5U}, {5U, 35U}})
+            seeking->write({9, first, count, all.colours.subspan(27 * first, 27 * count),
+                            all.depths.subspan(9 * first, 9 * count)});
+        seeking->finish();
+        EXPECT_EQ(placed, bytes);
     }
 }
 

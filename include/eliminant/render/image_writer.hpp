@@ -5,6 +5,7 @@
 #include "eliminant/base/error.hpp"
 #include "eliminant/render/image.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string_view>
@@ -21,6 +22,9 @@ enum class ImageFormat : unsigned char {
 
 /// Takes the bytes of a file as they come. What it throws passes through the writer.
 using ByteSink = std::function<void(std::string_view)>;
+
+/// Takes bytes for places of a file, which may come in any sequence.
+using PositionedSink = std::function<void(std::uint64_t offset, std::string_view bytes)>;
 
 /// A picture that could not be encoded; the message is the encoder's.
 class EncodingError : public Error {
@@ -59,6 +63,9 @@ class ImageWriter {
 /// until finish(); the others pass everything on at once.
 /// \throws DomainError for an impossible size
 std::unique_ptr<ImageWriter> make_writer(ImageFormat format, ImageSize size, ByteSink sink);
+
+/// The same for a file that can be written at any place: of no format is more than a band kept.
+std::unique_ptr<ImageWriter> make_seeking_writer(ImageFormat format, ImageSize size, PositionedSink sink);
 
 /// The whole picture.
 void write_image(const Image& image, ImageFormat format, const ByteSink& sink);
