@@ -64,15 +64,12 @@ void set_in_double(LocalForms<double>& forms, const DistanceField& field, const 
         set_jet_in_double(forms, field.polynomial(), point);
 }
 
-/// Nothing if the errors of doubles are too large to trust the result.
-std::optional<double> trusted_distance(const LocalForms<double>& forms, DistanceLevel level) {
-    const bool is_bound = level == DistanceLevel::guaranteed;
-    const Estimate<double> result = is_bound ? guaranteed_bound(forms) : estimate(forms, level);
-    if (!(result.uncertainty <= (is_bound ? 0x1p-12 : 0x1p-30))) return std::nullopt;
+/// Whether the errors of doubles are small enough.
+bool is_trusted(const Estimate<double>& result, const LocalForms<double>& forms, DistanceLevel level) {
+    if (!(result.uncertainty <= (level == DistanceLevel::guaranteed ? 0x1p-12 : 0x1p-30))) return false;
     // Squares of what is beyond this have over- or underflowed.
     const double g = gradient_norm(forms);
-    if (!(result.value > 0 && g < 1e150 && (g > 1e-140 || g == 0))) return std::nullopt;
-    return result.value;
+    return result.value > 0 && g < 1e150 && (g > 1e-140 || g == 0);
 }
 
 std::shared_ptr<const DistanceData> make_distance_data(const CompiledPolynomial& f) {
@@ -168,12 +165,14 @@ Distance distance(const DistanceField& field, const glm::dvec3& point, DistanceL
     if (f.is_zero()) return {0, 0};
     LocalForms<double> forms(f.degree());
     set_in_double(forms, field, point, level);
-    return distance_by(forms, field, point, level);
+    const bool is_bound = level == DistanceLevel::guaranteed;
+    return trusted_or_precise(is_bound ? guaranteed_bound(forms) : estimate(forms, level), forms, field,
+                              point, level);
 }
 
-Distance distance_by(const LocalForms<double>& forms, const DistanceField& field, const glm::dvec3& point,
-                     DistanceLevel level) {
-    if (const auto fast = trusted_distance(forms, level)) return {*fast, forms.value > 0 ? 1 : -1};
+Distance trusted_or_precise(const Estimate<double>& result, const LocalForms<double>& forms,
+                            const DistanceField& field, const glm::dvec3& point, DistanceLevel level) {
+    if (is_trusted(result, forms, level)) return {result.value, forms.value > 0 ? 1 : -1};
     const int sign = field.polynomial().sign(point);
     if (sign == 0) return {0, 0};
     return {precise_distance(field, point, level), sign};

@@ -62,7 +62,11 @@ class Batch {
     /// From forms_.
     void finish(std::size_t i) {
         const glm::dvec3 p = point(i);
-        put(i, is_finite(p) ? distance_by(forms_, field_, p, level_) : distance(field_, p, level_));
+        if (!is_finite(p)) return put(i, distance(field_, p, level_));
+        const Estimate<double> result = level_ == DistanceLevel::guaranteed
+                                            ? guaranteed_bound(forms_)
+                                            : estimate(forms_, level_, fast_spectral_norm);
+        put(i, trusted_or_precise(result, forms_, field_, p, level_));
     }
     /// Value, gradient and half Hessian, these by x, y, z; xx, xy, xz, yy, yz, zz of the matrix.
     void set_low(const std::array<double, 10>& jet) {

