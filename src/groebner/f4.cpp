@@ -1,6 +1,7 @@
 #include "eliminant/groebner/f4.hpp"
 
 #include "f4_computation.hpp"
+#include "f4_hilbert.hpp"
 #include "modular_basis.hpp"
 #include "trace_proof.hpp"
 
@@ -39,12 +40,13 @@ GroebnerBasis proved_by_reductions(const Ring& ring, GroebnerBasis found,
 }
 
 GroebnerBasis over_rationals(const Ring& ring, std::span<const Polynomial> generators,
-                             BuchbergerOptions options, base::Run& run) {
+                             BuchbergerOptions options, base::Run& run,
+                             const SparseSeries* hilbert_numerator) {
     options.linear_algebra = LinearAlgebra::exact; // it is learned once, and proofs rest on it
     for (const Polynomial& f : generators) algebra::require_same_ring(ring, f.ring(), "Groebner basis");
     const bool wants_proof = options.proof != Proof::none;
     ModularBasis images(ring, generators, options, PrimeSequence(seed_for(generators, run.seed())), run,
-                        wants_proof ? F4Trace::Extent::elements : F4Trace::Extent::basis);
+                        wants_proof ? F4Trace::Extent::elements : F4Trace::Extent::basis, hilbert_numerator);
     GroebnerBasis result;
     result.elements = images.find();
     result.statistics = images.trace().basis().statistics;
@@ -63,14 +65,20 @@ GroebnerBasis over_rationals(const Ring& ring, std::span<const Polynomial> gener
 
 GroebnerBasis f4(const Ring& ring, std::span<const Polynomial> generators, const BuchbergerOptions& options,
                  base::Run& run) {
+    return f4_with_hilbert_series(ring, generators, options, nullptr, run);
+}
+
+GroebnerBasis f4_with_hilbert_series(const Ring& ring, std::span<const Polynomial> generators,
+                                     const BuchbergerOptions& options, const SparseSeries* hilbert_numerator,
+                                     base::Run& run) {
     check_grading(ring, options);
     GroebnerBasis result;
     if (ring.field().is_rationals()) {
         if (options.stop_at || options.degree_bound)
             throw DomainError("F4 over QQ: the computation must not be stopped early");
-        result = over_rationals(ring, generators, options, run);
+        result = over_rationals(ring, generators, options, run, hilbert_numerator);
     } else {
-        result = F4Computation(ring, generators, options, run, nullptr).run();
+        result = F4Computation(ring, generators, options, run, nullptr, hilbert_numerator).run();
     }
     result.algorithm = Algorithm::f4;
     return result;

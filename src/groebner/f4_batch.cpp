@@ -23,11 +23,11 @@ class StoreBatchReducer final : public BatchReducer {
           run_(run), store_(basis), multiplier_(layout_.words()) {}
 
     Batch reduce(std::span<const CriticalPair> pairs, std::span<const BasisElement<Element>> generators,
-                 std::uint64_t limit, F4Round* record) override {
+                 std::uint64_t limit, std::optional<std::size_t> rank, F4Round* record) override {
         begin();
         add_halves(pairs, generators);
         add_pivots(limit);
-        return reduce_matrix(record);
+        return reduce_matrix(rank, record);
     }
 
     Batch reduce_tails(std::span<const std::size_t> minimal, F4Round* record) override {
@@ -37,7 +37,7 @@ class StoreBatchReducer final : public BatchReducer {
         for (const WantedRow& row : wanted_) see({wanted_indices_.data() + row.begin, 1});
         heads_ = monomials_.size(); // they stay what they are
         add_pivots(~std::uint64_t{0});
-        return reduce_matrix(record);
+        return reduce_matrix(std::nullopt, record);
     }
 
   private:
@@ -131,7 +131,7 @@ class StoreBatchReducer final : public BatchReducer {
         }
     }
 
-    Batch reduce_matrix(F4Round* record) {
+    Batch reduce_matrix(std::optional<std::size_t> rank, F4Round* record) {
         std::ranges::sort(monomials_, [this](Index a, Index b) {
             run_.poll(); // a million columns take a second
             return layout_.compare(store_.monomial(a), store_.monomial(b)) > 0;
@@ -164,6 +164,7 @@ class StoreBatchReducer final : public BatchReducer {
             options.transcript = &transcript;
         else
             options.combine = combine_;
+        options.rank = rank;
         options.seed = run_.seed() + round_;
         auto [found, failure_bound] = matrix.echelon(options, run_);
         if (record) *record = recorded(transcript, found);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,10 +30,10 @@ class BatchReducer {
 
     virtual ~BatchReducer() = default;
     /// The S-polynomials of the pairs and the generators among them, reduced by the basis and one another,
-    /// but only by multiples whose sugar is at most `limit`.
+    /// but only by multiples whose sugar is at most `limit`. `rank` is how many will be found, if known.
     virtual Batch reduce(std::span<const CriticalPair> pairs,
                          std::span<const BasisElement<Element>> generators, std::uint64_t limit,
-                         F4Round* record) = 0;
+                         std::optional<std::size_t> rank, F4Round* record) = 0;
     /// The elements of a minimal basis, their tails reduced by one another.
     virtual Batch reduce_tails(std::span<const std::size_t> minimal, F4Round* record) = 0;
 };

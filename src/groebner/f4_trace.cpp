@@ -10,7 +10,8 @@ namespace eliminant::groebner {
 using algebra::Polynomial;
 
 std::optional<F4Trace> F4Trace::learn(const algebra::Ring& ring, std::span<const Polynomial> generators,
-                                      std::uint64_t p, const BuchbergerOptions& options, base::Run& run) {
+                                      std::uint64_t p, const BuchbergerOptions& options, base::Run& run,
+                                      const SparseSeries* hilbert_numerator) {
     if (options.stop_at || options.degree_bound)
         throw DomainError("trace of F4: the computation must not be stopped early");
     check_grading(ring, options);
@@ -24,7 +25,7 @@ std::optional<F4Trace> F4Trace::learn(const algebra::Ring& ring, std::span<const
         images.push_back(primitive.in_ring(trace.ring_));
         if (images.back().size() != primitive.size()) return std::nullopt;
     }
-    trace.basis_ = F4Computation(trace.ring_, images, options, run, &trace.rounds_).run();
+    trace.basis_ = F4Computation(trace.ring_, images, options, run, &trace.rounds_, hilbert_numerator).run();
     for (const Polynomial& f : trace.basis_.elements) trace.coefficient_count_ += f.size();
     trace.number_elements();
     return trace;

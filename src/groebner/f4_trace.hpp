@@ -2,6 +2,7 @@
 
 #include "f4_round.hpp"
 #include "lane_kernels.hpp"
+#include "monomial_ideal.hpp"
 
 #include "eliminant/algebra/polynomial.hpp"
 #include "eliminant/base/run.hpp"
@@ -53,10 +54,13 @@ class F4Trace {
 
     /// Computes the reduced basis modulo a prime of generators over ℚ (primitive parts are taken) with
     /// the options of buchberger(), which do not stop it early. Nothing if the prime divides a coefficient.
-    /// Throws DomainError if p is not a prime below 2^31, or if a bound or a condition to stop is set.
+    /// `hilbert_numerator`, of the ideal over ℚ, as for F4Computation; modulo a prime an ideal has at most as
+    /// many elements of each degree. Throws DomainError if p is not a prime below 2^31, or if a bound or a
+    /// condition to stop is set.
     static std::optional<F4Trace> learn(const algebra::Ring& ring,
                                         std::span<const algebra::Polynomial> generators, std::uint64_t p,
-                                        const BuchbergerOptions& options, base::Run& run);
+                                        const BuchbergerOptions& options, base::Run& run,
+                                        const SparseSeries* hilbert_numerator = nullptr);
 
     std::uint32_t prime() const { return ring_.field().characteristic(); }
     /// The ring over GF(prime()).

@@ -5,8 +5,10 @@
 #include "eliminant/base/error.hpp"
 #include "eliminant/groebner/f4.hpp"
 #include "groebner/change_of_order.hpp"
+#include "groebner/f4_hilbert.hpp"
 #include "groebner/graded_order.hpp"
 #include "groebner/hilbert_proof.hpp"
+#include "groebner/monomial_ideal.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -102,9 +104,16 @@ GroebnerBasis basis_of_homogenization(const Ring& extended, std::span<const Poly
     const std::size_t h = extended.variable_count() - 1;
     std::vector<Polynomial> homogeneous;
     for (const Polynomial& f : graded_basis) homogeneous.push_back(homogenize(f.in_ring(extended), h));
-    if (!extended.field().is_rationals() || options.algorithm == Algorithm::buchberger)
+    if (options.algorithm == Algorithm::buchberger)
         return basis_directly(extended, homogeneous, options, run);
-    GroebnerBasis lifted = basis_directly(extended, homogeneous, {Algorithm::f4, Proof::none}, run);
+    // The homogenised elements are a basis in degrevlex with h last, and have the same leading monomials.
+    std::vector<Exponents> leads = leading_exponents(graded_basis);
+    for (Exponents& m : leads) m.push_back(0);
+    const SparseSeries numerator = hilbert_numerator(std::move(leads), run);
+    BuchbergerOptions direct;
+    direct.proof = Proof::none;
+    GroebnerBasis lifted = f4_with_hilbert_series(extended, homogeneous, direct, &numerator, run);
+    if (!extended.field().is_rationals()) return lifted;
     if (options.proof == Proof::none) return lifted;
     if (!is_basis_of_homogenization(lifted.elements, h, graded_basis, run))
         return basis_directly(extended, homogeneous, options, run);

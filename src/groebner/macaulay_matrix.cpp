@@ -30,9 +30,12 @@ class Elimination {
 
     MacaulayMatrix::Echelon run() {
         const std::size_t rows = matrix_.rows_.size();
-        found_.reserve(rows); // by_column_ points into it
+        found_.reserve(rows); // by_column_ points into what its elements hold
         std::size_t done = 0;
-        if (options_.combine) {
+        if (options_.rank) {
+            find_as_many(*options_.rank);
+            done = rows;
+        } else if (options_.combine) {
             // A combination has more pivots to be reduced by than a row has, and those that vanish come on
             // top: it takes few independent rows to pay, so a sample is taken first.
             while (rows - done > sample) {
@@ -112,9 +115,26 @@ class Elimination {
     }
 
     void reduce_rows(std::size_t begin, std::size_t end) {
+        const std::size_t enough = options_.rank.value_or(matrix_.rows_.size());
         const std::size_t step = wave_length() * lane_count;
-        for (std::size_t first = begin; first < end; first += step)
+        for (std::size_t first = begin; first < end && found_.size() < enough; first += step)
             reduce_wave(first, std::min(first + step, end));
+    }
+
+    /// Where the rank is known it does not matter how the rows come about: random combinations of all rows
+    /// are independent with probability about 1 − 1/p, and of the rows that vanish none is looked at. Those
+    /// that are missing after a few more than it should take are looked for among the rows themselves.
+    void find_as_many(std::size_t rank) {
+        const std::size_t rows = matrix_.rows_.size();
+        const bool pays = 2 * rank < rows && transcript_ == nullptr;
+        if (pays && MacaulayMatrix::can_combine(matrix_.field_)) {
+            for (std::size_t packs = rank / lane_count + 2; packs > 0 && found_.size() < rank;) {
+                const std::size_t count = std::min(packs, wave_length());
+                combine_wave(0, rows, count);
+                packs -= count;
+            }
+        }
+        reduce_rows(0, rows);
     }
 
     void reduce_wave(std::size_t begin, std::size_t end) {
@@ -142,27 +162,36 @@ class Elimination {
         constexpr double choices = 70; // C(8, 4), the largest of them
         bool vanish = false;
         while (!vanish) {
-            std::vector<std::uint64_t> seeds(wave_length());
-            for (std::uint64_t& seed : seeds) seed = random_();
-            reduce_packs(seeds.size(), [&](std::size_t i, Worker& w) {
-                std::mt19937_64 random(seeds[i]);
-                for (std::size_t r = begin; r < end; ++r) {
-                    if (r % 16 == 0) run_.poll();
-                    LaneEntry factor;
-                    for (std::uint32_t& x : factor.lane) x = matrix_.field_.reduce(random());
-                    kernels_.subtract_row(primes_, factor, matrix_.rows_[r], w.dense.data());
-                }
-                return first_column(begin, end);
-            });
-            run_.report([&] { return progress(end); });
-            const std::size_t known = found_.size();
-            for (Pack& pack : wave_) {
-                const std::size_t before = found_.size();
-                add_found(pack, known, begin);
-                vanish = vanish || before + lane_count >= found_.size() + enough;
-                failure_bound_ += choices * std::pow(p, -static_cast<double>(enough));
-            }
+            const std::size_t packs = wave_length();
+            vanish = combine_wave(begin, end, packs) + enough <= lane_count;
+            failure_bound_ +=
+                static_cast<double>(packs) * choices * std::pow(p, -static_cast<double>(enough));
         }
+    }
+
+    /// Reduces packs of random combinations of rows. The least number of rows that one of them gave.
+    std::size_t combine_wave(std::size_t begin, std::size_t end, std::size_t packs) {
+        std::vector<std::uint64_t> seeds(packs);
+        for (std::uint64_t& seed : seeds) seed = random_();
+        reduce_packs(packs, [&](std::size_t i, Worker& w) {
+            std::mt19937_64 random(seeds[i]);
+            for (std::size_t r = begin; r < end; ++r) {
+                if (r % 16 == 0) run_.poll();
+                LaneEntry factor;
+                for (std::uint32_t& x : factor.lane) x = matrix_.field_.reduce(random());
+                kernels_.subtract_row(primes_, factor, matrix_.rows_[r], w.dense.data());
+            }
+            return first_column(begin, end);
+        });
+        run_.report([&] { return progress(end); });
+        const std::size_t known = found_.size();
+        std::size_t least = lane_count;
+        for (Pack& pack : wave_) {
+            const std::size_t before = found_.size();
+            add_found(pack, known, begin);
+            least = std::min(least, found_.size() - before);
+        }
+        return least;
     }
 
     std::size_t first_column(std::size_t begin_row, std::size_t end_row) const {

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -58,6 +59,8 @@ class MacaulayMatrix {
         /// Reduce random combinations of rows instead of the rows wherever that seems to be less work, until
         /// some vanish. The field must be large enough (can_combine).
         bool combine = false;
+        /// How many rows there are to be found, where that is known: the elimination ends with the last one.
+        std::optional<std::size_t> rank = {};
         std::uint64_t seed = 0; ///< of the random combinations
         base::VectorUnit unit = base::best_vector_unit();
     };

@@ -81,14 +81,15 @@ ModularBasis::Attempt::Attempt(F4Trace learned, F4Trace::Extent extent)
 
 ModularBasis::ModularBasis(const Ring& ring, std::span<const Polynomial> generators,
                            const BuchbergerOptions& options, PrimeSequence primes, base::Run& run,
-                           F4Trace::Extent extent)
+                           F4Trace::Extent extent, const SparseSeries* hilbert_numerator)
     : ring_(ring), generators_(generators.begin(), generators.end()), options_(options),
-      primes_(std::move(primes)), run_(run), extent_(extent) {}
+      primes_(std::move(primes)), run_(run), extent_(extent), hilbert_numerator_(hilbert_numerator) {}
 
 ModularBasis::Attempt ModularBasis::learn() {
     for (;;) {
         ++primes_used_;
-        if (auto trace = F4Trace::learn(ring_, generators_, primes_.next(), options_, run_))
+        if (auto trace =
+                F4Trace::learn(ring_, generators_, primes_.next(), options_, run_, hilbert_numerator_))
             return {std::move(*trace), extent_};
     }
 }

@@ -30,9 +30,11 @@ class ModularBasis {
     /// \param primes from here on
     /// \param run kept as a reference
     /// \param extent whether all elements of the computation are lifted, or those of the basis only
+    /// \param hilbert_numerator as for F4Trace::learn()
     ModularBasis(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
                  const BuchbergerOptions& options, PrimeSequence primes, base::Run& run,
-                 F4Trace::Extent extent = F4Trace::Extent::basis);
+                 F4Trace::Extent extent = F4Trace::Extent::basis,
+                 const SparseSeries* hilbert_numerator = nullptr);
 
     /// The basis that passes this test: its residues are those of the replay modulo one more prime, and
     /// modulo that prime the generators reduce to zero by it. No theorem bounds the probability that it is
@@ -76,6 +78,7 @@ class ModularBasis {
     PrimeSequence primes_;
     base::Run& run_;
     F4Trace::Extent extent_;
+    const SparseSeries* hilbert_numerator_;
     std::optional<Attempt> attempt_;
     std::optional<F4Trace::Image> witness_; ///< the image of the prime that is kept for the test
     std::size_t primes_used_ = 0;

@@ -131,4 +131,15 @@ SparseSeries hilbert_numerator(std::vector<Exponents> generators, base::Run& run
     return numerator_of(generators, run);
 }
 
+std::optional<std::pair<std::uint64_t, algebra::Integer>> lowest_difference(const SparseSeries& f,
+                                                                            const SparseSeries& g) {
+    const std::size_t common = std::min(f.size(), g.size());
+    std::size_t i = 0;
+    while (i < common && f[i] == g[i]) ++i;
+    if (i == f.size() && i == g.size()) return std::nullopt;
+    if (i == g.size() || (i < f.size() && f[i].first < g[i].first)) return f[i];
+    if (i == f.size() || g[i].first < f[i].first) return std::pair(g[i].first, -g[i].second);
+    return std::pair(f[i].first, f[i].second - g[i].second);
+}
+
 } // namespace eliminant::groebner
