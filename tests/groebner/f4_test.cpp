@@ -178,6 +178,13 @@ TEST(MacaulayMatrix, ThreadsAndRandomCombinationsGiveTheSame) {
                     EXPECT_LT(combined.failure_bound, 1e-9);
                 }
             }
+            groebner::MacaulayMatrix::EchelonOptions known;
+            known.rank = expected.rows.size();
+            for (base::Run* r : {&run, &three_threads}) {
+                const auto found = matrix.matrix.echelon(known, *r);
+                EXPECT_TRUE(same_rows(expected, found));
+                EXPECT_EQ(found.failure_bound, 0);
+            }
         }
     }
     EXPECT_FALSE(groebner::MacaulayMatrix::can_combine(algebra::PrimeField(65521)));

@@ -2,9 +2,13 @@
 
 #include "eliminant/algebra/grading.hpp"
 #include "eliminant/groebner/buchberger.hpp"
+#include "eliminant/groebner/f4.hpp"
+#include "groebner/f4_hilbert.hpp"
 #include "support/random_ideals.hpp"
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 using namespace eliminant;
 using eliminant::groebner::is_basis_of_homogenization;
@@ -39,6 +43,33 @@ TEST_F(HilbertProof, AcceptsBases) {
         choose(random);
         EXPECT_TRUE(accepts()) << "round " << round;
     }
+}
+
+TEST_F(HilbertProof, AKnownHilbertSeriesSavesReductionsAndChangesNothing) {
+    Random random(35);
+    std::uint64_t saved = 0;
+    for (int round = 0; round < 12; ++round) {
+        SCOPED_TRACE("round " + std::to_string(round));
+        choose(random);
+        std::vector<groebner::Exponents> leads = groebner::leading_exponents(graded_);
+        for (groebner::Exponents& m : leads) m.push_back(0);
+        const groebner::SparseSeries numerator = groebner::hilbert_numerator(leads, run_);
+        groebner::BuchbergerOptions options;
+        options.proof = groebner::Proof::none;
+        for (const auto& field : {CoefficientField::rationals(), CoefficientField::prime(2147483647)}) {
+            const Ring ring = extended_.with_field(field);
+            std::vector<Polynomial> homogeneous;
+            for (const Polynomial& f : graded_)
+                homogeneous.push_back(homogenize(f.in_ring(extended_), 3).primitive_part().in_ring(ring));
+            const GroebnerBasis plain = f4(ring, homogeneous, options, run_);
+            const GroebnerBasis with_series =
+                groebner::f4_with_hilbert_series(ring, homogeneous, options, &numerator, run_);
+            EXPECT_EQ(with_series.elements, plain.elements);
+            EXPECT_LE(with_series.statistics.pairs_treated, plain.statistics.pairs_treated);
+            saved += plain.statistics.pairs_treated - with_series.statistics.pairs_treated;
+        }
+    }
+    EXPECT_GT(saved, 0U);
 }
 
 TEST_F(HilbertProof, RejectsAMissingElement) {
