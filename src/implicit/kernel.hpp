@@ -36,7 +36,9 @@ std::optional<EliminationEffort> elimination_effort(const GradedMap& map, double
                                                     base::Run& run);
 
 /// The kernel of a map whose domain has no relations but rotations, from its images modulo word-size primes,
-/// put together by Chinese remaindering and rational reconstruction. Coefficients of the intermediate
+/// put together by Chinese remaindering and rational reconstruction. Time and memory are those of a Groebner
+/// basis, for which no useful bound is known; methods for hypersurfaces are preferred where they can be had
+/// (method_choice.hpp). Coefficients of the intermediate
 /// polynomials are then at no time longer than a word, while over ℚ they dwarf those of the result:
 /// `dense10_curve` takes Singular 20 s over ℚ, and less than 10 ms modulo each of 11 primes.
 ///

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 namespace eliminant::implicit {
 
@@ -124,7 +125,9 @@ class Choice {
 
     MethodChoice make() {
         if (!has_few_terms(terms_at_sight)) look_closer();
-        std::ranges::stable_sort(result_.costs, {}, &MethodCost::seconds);
+        std::ranges::stable_sort(result_.costs, {}, [](const MethodCost& cost) {
+            return std::pair(cost.at_least, cost.seconds); // bounds say less
+        });
         for (const MethodCost& cost : result_.costs)
             result_.reason.append(result_.reason.empty() ? "predicted: " : ", ").append(text_of(cost));
         sort_methods();

@@ -16,7 +16,7 @@ namespace eliminant::implicit {
 /// The methods to try before elimination, in this sequence, and what they are expected to take.
 struct MethodChoice {
     std::vector<std::unique_ptr<HypersurfaceMethod>> methods;
-    std::vector<MethodCost> costs;                ///< ascending, with elimination if anything is known of it
+    std::vector<MethodCost> costs;                ///< ascending, lower bounds last
     std::string reason;                           ///< in words
     std::optional<EliminationEffort> elimination; ///< if it got so far
 };

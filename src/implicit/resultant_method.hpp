@@ -26,6 +26,10 @@ struct ResultantSizes {
 ///
 /// A bicubic patch of degree 18 takes 190 lines with fibres of 18 points, about 2 ms modulo a prime, where
 /// the 1330 unknown coefficients would be a dense system of as many equations.
+///
+/// For degree d and fibres of n points, surfaces take O(d²n²(m + √d)) products a prime, m being the lower of
+/// both degrees in a parameter, and curves O(d·n²√d); memory is that of the d³/6 or d²/2 coefficients as
+/// words modulo each prime, about twice the answer: 18 MB where the answer has 1.8 (a curve of degree 120).
 class ResultantMethod : public HypersurfaceMethod {
   public:
     /// Upper bounds that degrees tell; nullopt if that is too large.

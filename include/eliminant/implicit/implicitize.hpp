@@ -92,7 +92,8 @@ struct ImplicitResult {
     /// What the proof of a hypersurface is made of, if the method came with one; certify() makes a
     /// certificate of any result.
     std::optional<Claims> claims = {};
-    /// If the method was chosen for a hypersurface: what was predicted, the least first.
+    /// If the method was chosen for a hypersurface: what was predicted, the least first, lower
+    /// bounds last.
     std::vector<MethodCost> predicted = {};
     std::string choice = {}; ///< Why this method, and what it did, where there is something to say.
 };
