@@ -67,7 +67,15 @@ std::string comment_in(ResultFormat format, const std::string& text) {
 }
 
 std::string assignment_in(ResultFormat format, const std::string& name, const Polynomial& value) {
-    return name + " = " + formula(value, syntax(format)) + "\n";
+    const std::string text = formula(value, syntax(format));
+    switch (format) {
+    case ResultFormat::singular:
+        return "poly " + name + " = " + text + ";\n";
+    case ResultFormat::maple:
+        return name + " := " + text + ";\n";
+    default:
+        return name + " = " + text + "\n";
+    }
 }
 
 std::string ideal_in(ResultFormat format, const Ideal& I, Run& run) {

@@ -16,7 +16,9 @@ std::int64_t read_integer(Scanner& scanner, bool may_be_negative) {
     const Token token =
         scanner.require(TokenKind::number, may_be_negative ? "an integer" : "a non-negative integer");
     const auto value = read_exponent(scanner.text_of(token));
-    if (!value) scanner.source().fail(token.begin, "an integer below 2^63");
+    if (!value)
+        scanner.source().fail(token.begin, "an integer below 2^63",
+                              "'" + std::string(scanner.text_of(token)) + "'");
     return minus ? -*value : *value;
 }
 
