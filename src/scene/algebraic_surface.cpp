@@ -112,9 +112,7 @@ class AlgebraicSurface final : public Surface {
         return field::distance(distances_, point, level).value;
     }
     Curvature curvature(glm::dvec3 point) const override { return curvature_of(compiled_.jet(point)); }
-    Ball framing_ball(base::Run& run) const override {
-        return frame(*this, f_, run);
-    }
+    Ball framing_ball(base::Run& run) const override { return frame(*this, f_, run); }
 
   private:
     Hit hit_at(const Ray& ray, const field::RayRoot& root) const {
