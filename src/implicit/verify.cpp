@@ -52,8 +52,10 @@ std::variant<RationalMap, DomainMap> read_map(const CertificateInput& input, bas
         functions.push_back(parse_rational_function(ring, base::SourceText(text, "coordinate " + name), run));
     if (input.relations.empty()) return rational_map(ring, constants, rotations, functions, run);
     std::vector<Polynomial> relations;
-    for (const std::string& text : input.relations)
+    for (const std::string& text : input.relations) {
         relations.push_back(parse_polynomial(ring, base::SourceText(text, "relation"), run));
+        if (relations.back().is_zero()) throw base::DomainError("certificate: relations: 0 is none");
+    }
     return domain_map(ring, input.parameters.size(), rotations, relations, functions, run);
 }
 

@@ -47,8 +47,7 @@ DomainMap domain_map(const algebra::Ring& ring, std::size_t parameter_count,
     for (Polynomial& f : map.numerators) f = f.scaled(mpq_class(scale));
     map.denominator = map.denominator.scaled(mpq_class(scale));
 
-    for (const Polynomial& f : relations)
-        if (!f.is_zero()) map.relations.push_back(f.primitive_part());
+    for (const Polynomial& f : relations) map.relations.push_back(f.primitive_part());
     for (const auto& [cosine, sine] : rotations) {
         const Polynomial c = Polynomial::variable(ring, cosine);
         const Polynomial s = Polynomial::variable(ring, sine);

@@ -28,7 +28,7 @@ struct DomainMap {
     std::vector<algebra::Polynomial> numerators;
 };
 
-/// \param relations, functions in `ring`, of the parameters, then the constants
+/// \param relations not zero, one at least, counting angles; like the functions in `ring`
 DomainMap domain_map(const algebra::Ring& ring, std::size_t parameter_count,
                      std::span<const CosineSine> rotations, std::span<const algebra::Polynomial> relations,
                      std::span<const algebra::RationalFunction> functions, base::Run& run);

@@ -304,6 +304,8 @@ TEST(Verify, MalformedCertificatesAreErrors) {
     EXPECT_FALSE(rejected([](Certificate&) {}));
     EXPECT_TRUE(rejected([](Certificate& c) { c.equations.front() += "+"; }));
     EXPECT_TRUE(rejected([](Certificate& c) { c.equations.front() += "+q"; }));
+    EXPECT_TRUE(rejected([](Certificate& c) { c.input.relations = {"0"}; }));
+    EXPECT_TRUE(rejected([](Certificate& c) { c.input.relations = {"t+q"}; }));
     EXPECT_TRUE(rejected([](Certificate& c) { c.input.parameters.push_back(c.input.parameters.front()); }));
     EXPECT_TRUE(rejected([](Certificate& c) { c.input.angles.push_back(c.input.angles.front()); }));
     EXPECT_TRUE(rejected([](Certificate& c) { c.input.angles.front().first = "nobody"; }));
