@@ -5,6 +5,7 @@
 #include "scanner.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace eliminant::algebra {
@@ -16,9 +17,11 @@ std::int64_t read_integer(Scanner& scanner, bool may_be_negative) {
     const Token token =
         scanner.require(TokenKind::number, may_be_negative ? "an integer" : "a non-negative integer");
     const auto value = read_exponent(scanner.text_of(token));
-    if (!value)
-        scanner.source().fail(token.begin, "an integer below 2^63",
-                              "'" + std::string(scanner.text_of(token)) + "'");
+    if (!value) {
+        std::string found("'");
+        found.append(scanner.text_of(token)).append("'");
+        scanner.source().fail(token.begin, "an integer below 2^63", std::move(found));
+    }
     return minus ? -*value : *value;
 }
 
