@@ -12,7 +12,7 @@
 namespace eliminant::base {
 namespace {
 
-constexpr VectorUnit this_unit = VectorUnit::avx2;
+inline constexpr VectorUnit this_unit = VectorUnit::avx2;
 
 /// A mask is the sign bits of four.
 struct Doubles {

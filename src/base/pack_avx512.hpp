@@ -12,7 +12,7 @@
 namespace eliminant::base {
 namespace {
 
-constexpr VectorUnit this_unit = VectorUnit::avx512;
+inline constexpr VectorUnit this_unit = VectorUnit::avx512;
 
 /// A mask is one bit a lane.
 struct Doubles {

@@ -12,7 +12,7 @@
 namespace eliminant::base {
 namespace {
 
-constexpr VectorUnit this_unit = VectorUnit::neon;
+inline constexpr VectorUnit this_unit = VectorUnit::neon;
 
 /// A mask is all ones or all zeros in each lane.
 struct Doubles {

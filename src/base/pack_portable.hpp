@@ -11,7 +11,7 @@
 namespace eliminant::base {
 namespace {
 
-constexpr VectorUnit this_unit = VectorUnit::portable;
+inline constexpr VectorUnit this_unit = VectorUnit::portable;
 
 /// One number.
 template <class Number>
