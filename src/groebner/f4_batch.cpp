@@ -159,6 +159,7 @@ class StoreBatchReducer final : public BatchReducer {
             matrix.add_row({wanted_indices_.data() + row.begin, coefficients.data(), coefficients.size()});
         }
         MacaulayMatrix::Transcript transcript;
+        transcript.keeps_zero_rows = record && record->keeps_zero_rows;
         MacaulayMatrix::EchelonOptions options;
         if (record)
             options.transcript = &transcript;
@@ -209,10 +210,13 @@ class StoreBatchReducer final : public BatchReducer {
             if (transcript.pivots[columns[0]]) append(round.pivots, operand(pivot.element), columns);
             begin += size;
         }
-        for (const std::size_t i : transcript.rows) {
+        const auto append_wanted = [&](std::vector<F4Round::Row>& rows, std::size_t i) {
             const WantedRow& row = wanted_[i];
-            append(round.rows, row.operand, {wanted_indices_.data() + row.begin, row.element->terms.size()});
-        }
+            append(rows, row.operand, {wanted_indices_.data() + row.begin, row.element->terms.size()});
+        };
+        for (const std::size_t i : transcript.rows) append_wanted(round.rows, i);
+        for (const std::size_t i : transcript.zero_rows) append_wanted(round.zero_rows, i);
+        round.keeps_zero_rows = transcript.keeps_zero_rows;
         for (const MacaulayMatrix::Row& row : found) {
             round.support.insert(round.support.end(), row.columns.begin(), row.columns.end());
             round.found.push_back(round.support.size());

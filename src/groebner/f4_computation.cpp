@@ -7,9 +7,11 @@ namespace eliminant::groebner {
 
 F4Computation::F4Computation(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
                              const BuchbergerOptions& options, base::Run& run, std::vector<F4Round>* rounds,
-                             const SparseSeries* hilbert_numerator)
+                             const SparseSeries* hilbert_numerator, bool rechecks)
     : Computation(algebra::PrimeDomain{ring.field().prime_field()}, ring, generators, options, run, true),
-      rounds_(rounds), hilbert_numerator_(hilbert_numerator) {}
+      rounds_(rounds), hilbert_numerator_(hilbert_numerator), rechecks_(rechecks) {
+    if (rechecks_) queue_.advance_generators(*layout_);
+}
 
 void F4Computation::step() {
     const std::vector<CriticalPair> pairs = queue_.best_batch();
@@ -77,6 +79,7 @@ void F4Computation::treat_batch(const std::vector<CriticalPair>& pairs, std::opt
     constexpr std::uint64_t no_limit = ~std::uint64_t{0};
     const std::uint64_t degree_limit = options_.selection == Selection::sugar ? sugar + sugar / 2 : no_limit;
     F4Round record;
+    record.keeps_zero_rows = rechecks_;
     Batch batch = batch_reducer().reduce(pairs, generators_, degree_limit, rank, rounds_ ? &record : nullptr);
     if (rounds_) rounds_->push_back(std::move(record));
     queue_.remove_best(pairs.size());

@@ -17,7 +17,8 @@ namespace eliminant::groebner {
 class F4Computation final : public Computation<algebra::PrimeDomain> {
   public:
     /// The ring is over GF(p). Appends each matrix to `rounds`, unless it is null; the last one reduces the
-    /// tails of the minimal basis.
+    /// tails of the minimal basis. If it `rechecks` a basis, the generators are taken all at once before any
+    /// pair, and all rows of the matrices are kept: see F4Round::zero_rows.
     ///
     /// \param hilbert_numerator for homogeneous generators, N(t) where N(t)/(1 − t)ⁿ is the Hilbert series of
     ///   their ideal or one that is nowhere larger, if known. It tells how many leading monomials of each
@@ -25,7 +26,7 @@ class F4Computation final : public Computation<algebra::PrimeDomain> {
     ///   and are passed over (Traverso, J. Symb. Comp. 22 (1996)).
     F4Computation(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
                   const BuchbergerOptions& options, base::Run& run, std::vector<F4Round>* rounds,
-                  const SparseSeries* hilbert_numerator = nullptr);
+                  const SparseSeries* hilbert_numerator = nullptr, bool rechecks = false);
 
   private:
     std::string_view name() const override { return "F4"; }
@@ -40,6 +41,7 @@ class F4Computation final : public Computation<algebra::PrimeDomain> {
 
     std::vector<F4Round>* rounds_;
     const SparseSeries* hilbert_numerator_;
+    bool rechecks_;
     /// The least degree in which leading monomials are missing, and how many; that of no degree if none is.
     std::optional<std::pair<std::uint64_t, std::size_t>> missing_; ///< nothing if elements came since
     std::unique_ptr<BatchReducer> batch_reducer_;

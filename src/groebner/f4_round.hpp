@@ -25,6 +25,10 @@ struct F4Round {
     std::vector<Row> rows;   ///< in the sequence in which they were reduced
     std::vector<std::uint32_t> columns_of_rows;
     std::vector<std::uint32_t> leads; ///< per row: the leading column of what it became
+    /// Rows that reduced to zero, their columns behind the others', if they were asked for: there are the
+    /// pivots that they needed as well then.
+    std::vector<Row> zero_rows;
+    bool keeps_zero_rows = false;
     /// Of the element found i: support[found[i]], …, support[found[i + 1] − 1], the leading column first.
     std::vector<std::size_t> found = {0};
     std::vector<std::uint32_t> support;

@@ -64,20 +64,10 @@ std::vector<Polynomial> in_ring(std::span<const Polynomial> polynomials, const R
     return result;
 }
 
-/// Over ℚ F4 modulo primes finds a basis sooner, but a proof that costs less than Buchberger's algorithm is
-/// known only where the leading monomials modulo a prime are known to be all (see trace_proof.hpp): so for n
-/// equations in n variables, which mostly have finitely many solutions, and homogeneous ones that can be a
-/// complete intersection. Where there is nothing but tails to reduce, there is nothing to lift either.
-Algorithm suitable(const Ring& ring, std::span<const Polynomial> generators, Proof proof) {
+/// F4, unless there is nothing but tails to reduce.
+Algorithm suitable(const Ring& ring, std::span<const Polynomial> generators) {
     if (!ring.field().is_rationals()) return Algorithm::f4;
-    if (have_coprime_leads(generators)) return Algorithm::buchberger;
-    if (proof == Proof::none) return Algorithm::f4;
-    const auto count = static_cast<std::size_t>(
-        std::ranges::count_if(generators, [](const Polynomial& f) { return !f.is_zero(); }));
-    const bool may_be_proved =
-        count == ring.variable_count() ||
-        (count < ring.variable_count() && std::ranges::all_of(generators, &Polynomial::is_homogeneous));
-    return may_be_proved ? Algorithm::f4 : Algorithm::buchberger;
+    return have_coprime_leads(generators) ? Algorithm::buchberger : Algorithm::f4;
 }
 
 /// In one order, by the algorithm asked for.
@@ -87,9 +77,8 @@ GroebnerBasis basis_directly(const Ring& ring, std::span<const Polynomial> gener
     direct.proof = options.proof;
     if (auto weights = weights_compared_first(ring); weights && !are_equal(*weights))
         direct.grading = std::move(*weights);
-    const Algorithm algorithm = options.algorithm == Algorithm::automatic
-                                    ? suitable(ring, generators, options.proof)
-                                    : options.algorithm;
+    const Algorithm algorithm =
+        options.algorithm == Algorithm::automatic ? suitable(ring, generators) : options.algorithm;
     if (algorithm == Algorithm::buchberger) return buchberger(ring, generators, direct, run);
     if (options.proof == Proof::none && !ring.field().is_rationals())
         direct.linear_algebra = LinearAlgebra::probabilistic;

@@ -248,6 +248,12 @@ class Elimination {
             if (subtracts)
                 kernels_.subtract_lane(primes_, factor, lane, size - lead, pack.entries.data() + lead);
         }
+        if (transcript_ && transcript_->keeps_zero_rows) {
+            write_zero_rows(useful, first_row);
+            write_pivots(pack, ~0U);
+        } else if (transcript_) {
+            write_pivots(pack, useful);
+        }
         if (useful == 0) return;
         kernels_.scale(primes_, inverses, size, pack.entries.data());
         for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -260,9 +266,19 @@ class Elimination {
                 transcript_->leads.push_back(row.columns.front());
             }
         }
-        if (!transcript_) return;
+    }
+
+    /// Those pivots of which a multiple was subtracted in one of the lanes.
+    void write_pivots(const Pack& pack, unsigned lanes) {
         for (std::size_t c = 0; c < pack.used.size(); ++c) {
-            if ((pack.used[c] & useful) != 0) transcript_->pivots[c] = true;
+            if ((pack.used[c] & lanes) != 0) transcript_->pivots[c] = true;
+        }
+    }
+
+    void write_zero_rows(unsigned useful, std::size_t first_row) {
+        const std::size_t count = std::min(lane_count, matrix_.rows_.size() - first_row);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            if ((useful >> lane & 1U) == 0) transcript_->zero_rows.push_back(first_row + lane);
         }
     }
 

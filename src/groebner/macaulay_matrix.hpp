@@ -48,6 +48,10 @@ class MacaulayMatrix {
         std::vector<bool> pivots;      ///< per column: whether the pivot given for it was subtracted
         std::vector<std::size_t> rows; ///< numbers of the rows that did not reduce to zero, as they came
         std::vector<Column> leads;     ///< the leading columns of what they became
+        /// Asked for: whether the rows that reduced to zero, and the pivots that they needed, are written
+        /// too.
+        bool keeps_zero_rows = false;
+        std::vector<std::size_t> zero_rows; ///< their numbers, if so
     };
     struct Echelon {
         std::vector<Row> rows;

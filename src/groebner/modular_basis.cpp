@@ -74,23 +74,33 @@ Polynomial with_coefficients(const Polynomial& f, const Ring& ring,
 
 } // namespace
 
-ModularBasis::Attempt::Attempt(F4Trace learned, F4Trace::Extent extent)
-    : trace(std::move(learned)), lifting(sizes_of(trace, extent)) {
+ModularBasis::Attempt::Attempt(F4Trace learned, F4Trace::Extent lifted)
+    : trace(std::move(learned)), extent(lifted), lifting(sizes_of(trace, lifted)) {
     if (extent == F4Trace::Extent::basis) lifting.add(trace.prime(), residues_of(trace.basis().elements));
 }
 
 ModularBasis::ModularBasis(const Ring& ring, std::span<const Polynomial> generators,
                            const BuchbergerOptions& options, PrimeSequence primes, base::Run& run,
-                           F4Trace::Extent extent, const SparseSeries* hilbert_numerator)
+                           F4Trace::Extent lifted)
+    : ModularBasis(ring, generators, options, std::move(primes), run,
+                   [lifted](const F4Trace&) { return lifted; }) {}
+
+ModularBasis::ModularBasis(const Ring& ring, std::span<const Polynomial> generators,
+                           const BuchbergerOptions& options, PrimeSequence primes, base::Run& run,
+                           std::function<F4Trace::Extent(const F4Trace&)> lifted,
+                           const SparseSeries* hilbert_numerator)
     : ring_(ring), generators_(generators.begin(), generators.end()), options_(options),
-      primes_(std::move(primes)), run_(run), extent_(extent), hilbert_numerator_(hilbert_numerator) {}
+      primes_(std::move(primes)), run_(run), extent_(std::move(lifted)),
+      hilbert_numerator_(hilbert_numerator) {}
 
 ModularBasis::Attempt ModularBasis::learn() {
     for (;;) {
         ++primes_used_;
         if (auto trace =
-                F4Trace::learn(ring_, generators_, primes_.next(), options_, run_, hilbert_numerator_))
-            return {std::move(*trace), extent_};
+                F4Trace::learn(ring_, generators_, primes_.next(), options_, run_, hilbert_numerator_)) {
+            const F4Trace::Extent lifted = extent_(*trace);
+            return {std::move(*trace), lifted};
+        }
     }
 }
 
@@ -102,10 +112,10 @@ void ModularBasis::add_batch() {
     std::vector<std::uint32_t> primes(packs * lane_count);
     for (std::uint32_t& p : primes) p = primes_.next();
     primes_used_ += primes.size();
-    Images images = attempt_->trace.replay(primes, run_, extent_);
+    Images images = attempt_->trace.replay(primes, run_, attempt_->extent);
     if (are_suspicious(images)) {
         Attempt other = learn();
-        Images others = other.trace.replay(primes, run_, extent_);
+        Images others = other.trace.replay(primes, run_, other.extent);
         if (is_better(other.trace, others, attempt_->trace, images)) {
             attempt_ = std::move(other);
             witness_.reset();
@@ -138,7 +148,7 @@ bool ModularBasis::generators_reduce_to_zero() const {
 
 /// The number of the lifted vector that belongs to an element of the basis.
 std::size_t ModularBasis::vector_of(std::size_t element) const {
-    if (extent_ == F4Trace::Extent::basis) return element;
+    if (extent() == F4Trace::Extent::basis) return element;
     // Among all elements those of the basis come last, descending.
     const auto numbers = attempt_->trace.element_numbers();
     return numbers[numbers.size() - 1 - element];
@@ -148,7 +158,7 @@ std::vector<Polynomial> ModularBasis::image_of_basis(const F4Trace::Image& image
                                                      const Ring& image_ring) const {
     const std::vector<Polynomial>& learned = attempt_->trace.basis().elements;
     std::vector<std::size_t> begins = {0};
-    for (const std::size_t size : sizes_of(attempt_->trace, extent_)) begins.push_back(begins.back() + size);
+    for (const std::size_t size : sizes_of(attempt_->trace, extent())) begins.push_back(begins.back() + size);
     std::vector<Polynomial> result;
     for (std::size_t k = 0; k < learned.size(); ++k) {
         run_.poll();

@@ -7,6 +7,7 @@
 #include "algebra/rational_lifting.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,12 +30,16 @@ class ModularBasis {
     /// \param options of F4
     /// \param primes from here on
     /// \param run kept as a reference
-    /// \param extent whether all elements of the computation are lifted, or those of the basis only
+    /// \param lifted whether all elements of the computation are lifted, or those of the basis only; asked
+    ///   for each computation that is learned, if it is a function
     /// \param hilbert_numerator as for F4Trace::learn()
     ModularBasis(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
                  const BuchbergerOptions& options, PrimeSequence primes, base::Run& run,
-                 F4Trace::Extent extent = F4Trace::Extent::basis,
+                 std::function<F4Trace::Extent(const F4Trace&)> lifted,
                  const SparseSeries* hilbert_numerator = nullptr);
+    ModularBasis(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
+                 const BuchbergerOptions& options, PrimeSequence primes, base::Run& run,
+                 F4Trace::Extent lifted = F4Trace::Extent::basis);
 
     /// The basis that passes this test: its residues are those of the replay modulo one more prime, and
     /// modulo that prime the generators reduce to zero by it. No theorem bounds the probability that it is
@@ -43,6 +48,8 @@ class ModularBasis {
 
     /// The F4 computation that was repeated; after find().
     const F4Trace& trace() const { return attempt_->trace; }
+    /// What was lifted; after find().
+    F4Trace::Extent extent() const { return attempt_->extent; }
     /// With Extent::elements, the distinct elements of the trace, in its sequence; after find().
     const std::vector<algebra::RationalLifting::Vector>& lifted_elements() const {
         return attempt_->lifting.vectors();
@@ -57,8 +64,9 @@ class ModularBasis {
     using Images = std::vector<F4Trace::Image>;
 
     struct Attempt {
-        Attempt(F4Trace learned, F4Trace::Extent extent);
+        Attempt(F4Trace learned, F4Trace::Extent lifted);
         F4Trace trace;
+        F4Trace::Extent extent;
         algebra::RationalLifting lifting;
     };
 
@@ -77,7 +85,7 @@ class ModularBasis {
     BuchbergerOptions options_;
     PrimeSequence primes_;
     base::Run& run_;
-    F4Trace::Extent extent_;
+    std::function<F4Trace::Extent(const F4Trace&)> extent_;
     const SparseSeries* hilbert_numerator_;
     std::optional<Attempt> attempt_;
     std::optional<F4Trace::Image> witness_; ///< the image of the prime that is kept for the test

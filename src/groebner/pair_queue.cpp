@@ -25,6 +25,14 @@ void PairQueue::add_generator(const MonomialLayout& layout, std::uint32_t number
     pairs_.insert(place, std::move(entry));
 }
 
+void PairQueue::advance_generators(const MonomialLayout& layout) {
+    for (CriticalPair& pair : pairs_) {
+        if (pair.first == CriticalPair::generator) pair.degree = pair.sugar = 0;
+    }
+    std::ranges::sort(pairs_,
+                      [&](const CriticalPair& a, const CriticalPair& b) { return later(layout, a, b); });
+}
+
 std::vector<CriticalPair> PairQueue::best_batch() const {
     const auto alike = [this](const CriticalPair& pair) {
         return selection_ == Selection::sugar ? pair.sugar == best().sugar : pair.degree == best().degree;

@@ -38,6 +38,8 @@ class PairQueue {
     std::vector<CriticalPair> best_batch() const;
 
     void add_generator(const MonomialLayout& layout, std::uint32_t number, const Word* lead);
+    /// The generators added come first, all together, whatever their degrees.
+    void advance_generators(const MonomialLayout& layout);
 
     /// Accounts for the element `added`, the last of the basis: forms its pairs with the elements that are
     /// not redundant, and discards pairs, old and new, that the criteria make superfluous. Throws

@@ -157,8 +157,11 @@ class IdentityProver::Statement {
         std::size_t more = std::max<std::size_t>(expected, 1);
         for (;;) {
             if (!add_packs(more)) return false;
-            more = threads * (1 + used_ / (4 * threads)); // each try begins anew
-            if (lifting_ && lifting_->lift_with_all_primes(run_) && identities_hold()) return true;
+            more = threads * (1 + used_ / (8 * threads)); // each try begins anew
+            if (!lifting_ || !lifting_->lift_with_all_primes(run_)) continue;
+            const std::size_t missing = missing_bits();
+            if (missing == 0) return true;
+            more = std::max(more, missing / (lane_count * DigitVector::digit_bits) + 1);
         }
     }
 
@@ -241,10 +244,11 @@ class IdentityProver::Statement {
         return true;
     }
 
-    /// Whether the product of the primes exceeds twice what can stand on either side of (1).
-    bool identities_hold() const {
+    /// By how many bits the product of the primes falls short of twice what can stand on either side of (1).
+    std::size_t missing_bits() const {
         const Operands& operands = prover_.operands_;
         const std::size_t available = mpz_sizeinbase(modulus_.get_mpz_t(), 2) - 1; // 2^available ≤ M
+        std::size_t needed = 0;
         for (std::size_t r = 0; r < tags_.size(); ++r) {
             const RationalLifting::Vector& multipliers = lifting_->vectors()[r];
             std::size_t bits =
@@ -254,10 +258,10 @@ class IdentityProver::Statement {
                                           operands[identities_.basis[tags_[r][i]].operand].bits());
             }
             // tags + 1 summands, each below 2^bits in size.
-            if (bits + static_cast<std::size_t>(std::bit_width(tags_[r].size() + 1)) + 1 > available)
-                return false;
+            needed =
+                std::max(needed, bits + static_cast<std::size_t>(std::bit_width(tags_[r].size() + 1)) + 1);
         }
-        return true;
+        return needed - std::min(needed, available);
     }
 
     IdentityProver& prover_;
@@ -287,7 +291,8 @@ bool IdentityProver::holds(const RowIdentities& identities) {
     if (identities.rows.empty()) return identities.generated == 0;
     Statement statement(*this, identities);
     if (!statement.holds(expected_packs_)) return false;
-    expected_packs_ = 2 * statement.packs_used() / 3; // numbers grow from matrix to matrix, mostly
+    expected_packs_ =
+        statement.packs_used() - statement.packs_used() / 4; // what the next one takes is not known
     return true;
 }
 

@@ -1,6 +1,7 @@
 #include "groebner/trace_proof.hpp"
 
 #include "eliminant/algebra/parse.hpp"
+#include "eliminant/groebner/f4.hpp"
 #include "eliminant/groebner/groebner_basis.hpp"
 #include "groebner/classical_systems.hpp"
 #include "groebner/modular_basis.hpp"
@@ -108,7 +109,8 @@ TEST(TraceProof, BasesAreThoseOfTheClassicAlgorithm) {
         for (const Ring& ring : eliminant::testing::sample_rings()) {
             if (!ring.field().is_rationals()) continue;
             std::vector<Polynomial> generators;
-            for (std::size_t i = 0; i < 2 + random() % 3; ++i)
+            const std::size_t count = 1 + random() % 5; // fewer and more than variables
+            for (std::size_t i = 0; i < count; ++i)
                 generators.push_back(eliminant::testing::random_small(ring, random, 3, 3, round % 4 == 0));
             SCOPED_TRACE("seed " + std::to_string(seed) + ", " +
                          eliminant::testing::describe(Ideal(ring, generators)));
@@ -118,6 +120,33 @@ TEST(TraceProof, BasesAreThoseOfTheClassicAlgorithm) {
             EXPECT_TRUE(is_reduced_groebner(proved.elements, run));
             const GroebnerBasis probable = groebner_basis(ring, generators, by_f4(Proof::none), run);
             EXPECT_EQ(probable.elements, proved.elements);
+        }
+    }
+}
+
+TEST(TraceProof, EveryKindOfIdealIsProved) {
+    base::Run run;
+    const Ring ring(CoefficientField::rationals(), {"x", "y", "z"});
+    const std::vector<std::vector<std::string>> kinds = {
+        {"x*y+7*z^2-3", "x*z-2*y^2+5", "x*y*z+x-1", "x^2+y^2+z^2-11"}, // overdetermined, the unit ideal
+        {"x^2-1", "y^2-x*y", "x*y*z-z", "x^2*y^2-x^2"},                // overdetermined
+        {"x*y-2*z^2", "x*z+3*y^2"},                                    // homogeneous, a curve
+        {"x*y-2*z^2", "x*z+3*y^2", "x^2*z-x*y^2"},                     // and one equation more
+        {"x^2*y-z", "x*y^2-3*z+1"},                                    // a curve
+        {"x^2*y-5*z", "2*x^2*y-10*z", "x*y", "x^2*y^2", "0"},          // redundant, a zero
+        {"x*y*(x+y-3*z)", "x*z*(2*x-y)", "x^2-4*x*z"},                 // components of several dimensions
+        {"0", "0"},                                                    // the zero ideal
+        {"3"},                                                         // the unit ideal
+        {"2*x+3*y-5*z+7"},                                             // a plane
+    };
+    for (const auto& texts : kinds) {
+        SCOPED_TRACE(texts.front());
+        for (const Ring& ordered : {ring, ring.with_order(MonomialOrder::lex())}) {
+            const auto generators = parse(ordered, texts);
+            const GroebnerBasis proved = f4(ordered, generators, {}, run);
+            EXPECT_EQ(proved.proof, Proof::full);
+            EXPECT_EQ(proved.elements, buchberger(ordered, generators, {}, run).elements);
+            EXPECT_TRUE(is_reduced_groebner(proved.elements, run));
         }
     }
 }

@@ -19,16 +19,24 @@ namespace eliminant::groebner {
 /// With Proof::none the result has passed one test: the residues modulo one more prime agree, and modulo that
 /// prime the generators reduce to zero. No theorem bounds the probability that it is wrong all the same.
 ///
-/// With Proof::full it is proved, by two theorems where their hypotheses hold. (1) The elements are in the
-/// ideal I: those of each matrix are combinations of its rows with rational coefficients; these are lifted as
-/// well, and the identities hold modulo a product of primes larger than twice what can stand on either side.
-/// (2) They are a Groebner basis of I: they have the leading monomials of I_p, the ideal of the images of the
-/// generators modulo the prime p that was learned, and I has no others, since either the generators are as
-/// many as the variables and dim F_p[x]/I_p is finite, whence dim ℚ[x]/I ≥ dim F_p[x]/I_p; or they are
-/// homogeneous and a regular sequence modulo p, whence the Hilbert functions are the same. See
-/// src/groebner/trace_proof.hpp. Where (2) does not apply, all S-polynomials that the criteria leave are
-/// reduced to zero exactly. The usual criterion that leading ideals agree and the input reduces to zero is
-/// not used: it needs homogeneous input (it would prove ⟨x, y⟩ for ⟨y, y + x + p·x²⟩ in lex).
+/// With Proof::full it is proved that the elements G are a Groebner basis of the ideal I of the generators F.
+/// Let p be the prime that was learned, and I_p the ideal of the images of F; G has the leading monomials of
+/// I_p. Three statements, of which those that are cheapest are proved:
+///
+/// (1) G lies in I. The elements that each matrix found are combinations of its rows with rational
+///     coefficients. These are lifted as well, and the identities hold modulo a product of primes larger than
+///     twice what can stand on either side.
+/// (2) I has no more leading monomials: either F are as many as the variables and dim F_p[x]/I_p is finite,
+///     whence dim ℚ[x]/I ≥ dim F_p[x]/I_p; or they are homogeneous and a regular sequence modulo p, whence
+///     the Hilbert functions are the same. See src/groebner/trace_proof.hpp.
+/// (3) G is a Groebner basis of ⟨G⟩, and I ⊆ ⟨G⟩: all S-polynomials that the criteria leave are combinations
+///     of multiples of G with small enough leading monomials, by identities as in (1), and F reduces to zero.
+///     See src/groebner/basis_proof.hpp.
+///
+/// (1) and (2) are a proof, as are (1) and (3). So is (3) alone where F is homogeneous, as then, in each
+/// degree, dim (ℚ[x]/I) ≤ dim (F_p[x]/I_p) = dim (ℚ[x]/⟨G⟩) ≤ dim (ℚ[x]/I): a rank can only fall modulo p
+/// (Arnold, J. Symb. Comp. 35 (2003)). For other input it is not: it would prove ⟨x, y⟩ for ⟨y, y + x + p·x²⟩
+/// in lex. Should an identity not be found, all S-polynomials are reduced exactly.
 ///
 /// Over ℚ the computation cannot be stopped early (DomainError).
 GroebnerBasis f4(const algebra::Ring& ring, std::span<const algebra::Polynomial> generators,
