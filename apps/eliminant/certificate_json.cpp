@@ -17,6 +17,7 @@ struct TheoremName {
 
 constexpr std::array theorem_names = {
     TheoremName{Theorem::hypersurface, "hypersurface"},
+    TheoremName{Theorem::toric, "toric"},
     TheoremName{Theorem::dense, "dense"},
     TheoremName{Theorem::elimination, "elimination"},
 };
@@ -159,7 +160,7 @@ Claims read_claims(const Reader& reader) {
     Claims claims;
     const std::string theorem = reader.text("theorem");
     const auto* named = std::ranges::find(theorem_names, theorem, &TheoremName::name);
-    if (named == theorem_names.end()) reader.fail("hypersurface, dense or elimination", "theorem");
+    if (named == theorem_names.end()) reader.fail("hypersurface, toric, dense or elimination", "theorem");
     claims.theorem = named->theorem;
     claims.codimension = reader.number<std::uint64_t>("codimension");
     claims.degrees = reader.numbers<std::uint64_t>("degrees");

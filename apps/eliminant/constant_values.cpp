@@ -30,7 +30,7 @@ void ConstantValues::set(std::string_view text) {
     name.erase(0, name.find_first_not_of(' '));
     name.erase(name.find_last_not_of(' ') + 1);
     if (sign == std::string_view::npos || !algebra::is_identifier(name))
-        throw UsageError("--set", "NAME=VALUE, as r=2", "'" + std::string(text) + "'");
+        throw Error("expected NAME=VALUE, as r=2, found '" + std::string(text) + "'");
     Value value{name, parse_rational(SourceText(text.substr(sign + 1), "--set " + name))};
     const auto earlier = std::ranges::find(values_, name, &Value::name);
     if (earlier == values_.end())

@@ -46,25 +46,31 @@ class DivideCommand : public Command {
         if (systems[0].polynomials.size() != 1)
             throw UsageError("expected one polynomial before 'by', found " +
                              std::to_string(systems[0].polynomials.size()));
-        const Division division = divide(systems[0].polynomials[0], systems[1].polynomials, session.run());
-        session.write_result(session.format() == ResultFormat::json ? json(systems[0].ring, division)
-                                                                    : text(session.format(), division));
+        const std::vector<Polynomial>& divisors = systems[1].polynomials;
+        const auto zero = std::ranges::find_if(divisors, [](const Polynomial& g) { return g.is_zero(); });
+        if (zero != divisors.end())
+            throw UsageError("expected divisors that are not zero, found divisor " +
+                             std::to_string(zero - divisors.begin() + 1) + " to be 0");
+        const Division division = divide(systems[0].polynomials[0], divisors, session.run());
+        session.write_result(session.format() == ResultFormat::json
+                                 ? json(systems[0].ring, division, session.run())
+                                 : text(session.format(), division, session.run()));
         return exit_done;
     }
 
   private:
-    static std::string text(ResultFormat format, const Division& division) {
+    static std::string text(ResultFormat format, const Division& division, const Run& run) {
         std::string result;
         for (std::size_t i = 0; i < division.quotients.size(); ++i)
-            result +=
-                assignment_in(format, std::string("q").append(std::to_string(i + 1)), division.quotients[i]);
-        return result + assignment_in(format, "r", division.remainder);
+            result += assignment_in(format, std::string("q").append(std::to_string(i + 1)),
+                                    division.quotients[i], run);
+        return result + assignment_in(format, "r", division.remainder, run);
     }
 
-    static std::string json(const Ring& ring, const Division& division) {
+    static std::string json(const Ring& ring, const Division& division, const Run& run) {
         Json result = ring_fields(ring);
-        result["quotients"] = strings(division.quotients);
-        result["remainder"] = to_string(division.remainder);
+        result["quotients"] = strings(division.quotients, run);
+        result["remainder"] = to_string(division.remainder, run);
         return to_text(result);
     }
 

@@ -78,19 +78,19 @@ class GroebnerCommand : public Command {
             session.console().detail(line);
         session.console().detail(statistics_line(basis.statistics, session.seconds()));
         session.write_result(session.format() == ResultFormat::json
-                                 ? json(system.ring, basis, session.seconds())
+                                 ? json(system.ring, basis, session)
                                  : ideal_in(session.format(), system.ring, basis.elements, session.run()));
         return exit_done;
     }
 
   private:
-    std::string json(const Ring& ring, const GroebnerBasis& basis, double seconds) const {
+    std::string json(const Ring& ring, const GroebnerBasis& basis, Session& session) const {
         Json result = ring_fields(ring);
-        result["basis"] = strings(basis.elements);
+        result["basis"] = strings(basis.elements, session.run());
         result["algorithm"] = basis.algorithm == Algorithm::f4 ? "f4" : "buchberger";
         result["assurance"] = basis.proof == groebner::Proof::full ? "proved" : "probable";
         if (basis.proof == groebner::Proof::bounded) result["failure_bound"] = basis.failure_bound;
-        result["statistics"] = statistics_fields(basis.statistics, seconds);
+        result["statistics"] = statistics_fields(basis.statistics, session.seconds());
         return to_text(result);
     }
 

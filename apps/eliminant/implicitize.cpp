@@ -5,6 +5,7 @@
 #include "input.hpp"
 #include "results.hpp"
 
+#include "eliminant/algebra/coefficients.hpp"
 #include "eliminant/algebra/parse.hpp"
 #include "eliminant/implicit/batch.hpp"
 #include "eliminant/implicit/certify.hpp"
@@ -55,17 +56,6 @@ std::vector<std::string> first_coordinate_names(std::span<const ShapeSource> sou
     return {};
 }
 
-/// Degree in the coordinates, which are the first variables: constants are elements of the field.
-std::uint64_t degree_in_coordinates(const Polynomial& f, std::size_t coordinates) {
-    std::uint64_t degree = 0;
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        std::uint64_t sum = 0;
-        for (std::size_t variable = 0; variable < coordinates; ++variable) sum += f.exponent(i, variable);
-        degree = std::max(degree, sum);
-    }
-    return degree;
-}
-
 /// Decimal digits of the largest coefficient; 0 if there is none.
 std::size_t largest_coefficient_digits(std::span<const Polynomial> equations) {
     Integer largest;
@@ -82,15 +72,15 @@ Json one_or_list(std::vector<std::uint64_t> numbers) {
 }
 
 /// Adds what was found to a report.
-void describe_in_json(Json& report, const ImplicitResult& result, std::size_t coordinates, double seconds) {
+void describe_in_json(Json& report, const ImplicitResult& result, std::size_t coordinates, Session& session) {
     std::vector<std::uint64_t> degrees;
     std::vector<std::uint64_t> terms;
     for (const Polynomial& f : result.equations) {
-        degrees.push_back(degree_in_coordinates(f, coordinates));
+        degrees.push_back(algebra::degree_in_first(f, coordinates)); // constants are elements of the field
         terms.push_back(f.size());
     }
     report["variables"] = result.ring.names();
-    report["equations"] = strings(result.equations);
+    report["equations"] = strings(result.equations, session.run());
     report["codimension"] = result.codimension;
     report["degree"] = one_or_list(std::move(degrees));
     report["terms"] = one_or_list(std::move(terms));
@@ -99,14 +89,16 @@ void describe_in_json(Json& report, const ImplicitResult& result, std::size_t co
     report["assurance"] = to_string(result.assurance);
     report["parametrization_degree"] = nullptr;
     if (result.parametrization_degree) report["parametrization_degree"] = *result.parametrization_degree;
-    report["seconds"] = seconds;
+    report["seconds"] = session.seconds();
 }
 
 /// A polynomial for a hypersurface and, being 0, for a dense image; otherwise an ideal.
-std::string equations_in(ResultFormat format, const ImplicitResult& result, Run& run) {
-    if (result.equations.size() > 1) return ideal_in(format, result.ring, result.equations, run);
-    return polynomial_in(format,
-                         result.equations.empty() ? Polynomial(result.ring) : result.equations.front());
+std::string equations_in(const ImplicitResult& result, Session& session) {
+    if (result.equations.size() > 1)
+        return ideal_in(session.format(), result.ring, result.equations, session.run());
+    return polynomial_in(session.format(),
+                         result.equations.empty() ? Polynomial(result.ring) : result.equations.front(),
+                         session.run());
 }
 
 class ImplicitizeCommand : public Command {
@@ -185,10 +177,10 @@ class ImplicitizeCommand : public Command {
         if (certificate) write_certificate(*certificate, *parametrization, result, session);
         if (session.format() == ResultFormat::json) {
             Json report;
-            describe_in_json(report, result, coordinates.size(), session.seconds());
+            describe_in_json(report, result, coordinates.size(), session);
             session.write_result(to_text(report));
         } else {
-            session.write_result(equations_in(session.format(), result, session.run()));
+            session.write_result(equations_in(result, session));
         }
         return exit_done;
     }
@@ -224,11 +216,10 @@ class ImplicitizeCommand : public Command {
     static std::string found(const ShapeResult& shape, Session& session) {
         describe(*shape.result, shape.name + ": ", session);
         if (session.format() != ResultFormat::json)
-            return comment_in(session.format(), shape.name) +
-                   equations_in(session.format(), *shape.result, session.run());
+            return comment_in(session.format(), shape.name) + equations_in(*shape.result, session);
         Json report;
         report["name"] = shape.name;
-        describe_in_json(report, *shape.result, shape.coordinate_count, session.seconds());
+        describe_in_json(report, *shape.result, shape.coordinate_count, session);
         return to_text(report);
     }
 

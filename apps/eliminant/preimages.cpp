@@ -143,8 +143,8 @@ class PreimagesCommand : public Command {
         }
         result["components"] = Json::array();
         for (const Ideal& component : found.components)
-            result["components"].push_back(strings(component.groebner_basis(MonomialOrder::lex(), run)));
-        result["nonzero"] = strings(found.excluded);
+            result["components"].push_back(strings(component.groebner_basis(MonomialOrder::lex(), run), run));
+        result["nonzero"] = strings(found.excluded, run);
         return to_text(result);
     }
 

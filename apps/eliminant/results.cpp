@@ -38,9 +38,9 @@ void require_text_or_json(const Session& session) {
 
 std::string to_text(const Json& json) { return json.dump() + "\n"; }
 
-Json strings(std::span<const Polynomial> polynomials) {
+Json strings(std::span<const Polynomial> polynomials, const Run& run) {
     Json list = Json::array();
-    for (const Polynomial& f : polynomials) list.push_back(to_string(f));
+    for (const Polynomial& f : polynomials) list.push_back(to_string(f, run));
     return list;
 }
 
@@ -56,7 +56,9 @@ std::string ideal_in(ResultFormat format, const Ring& ring, std::span<const Poly
     return declared(ring, generators, syntax(format), run);
 }
 
-std::string polynomial_in(ResultFormat format, const Polynomial& f) { return declared(f, syntax(format)); }
+std::string polynomial_in(ResultFormat format, const Polynomial& f, const Run& run) {
+    return declared(f, syntax(format), run);
+}
 
 std::string comment_in(ResultFormat format, const std::string& text) {
     std::string_view sign = "# ";
@@ -66,8 +68,9 @@ std::string comment_in(ResultFormat format, const std::string& text) {
     return std::string(sign).append(text).append("\n");
 }
 
-std::string assignment_in(ResultFormat format, const std::string& name, const Polynomial& value) {
-    const std::string text = formula(value, syntax(format));
+std::string assignment_in(ResultFormat format, const std::string& name, const Polynomial& value,
+                          const Run& run) {
+    const std::string text = formula(value, syntax(format), run);
     switch (format) {
     case ResultFormat::singular:
         return "poly " + name + " = " + text + ";\n";
@@ -82,7 +85,7 @@ std::string ideal_in(ResultFormat format, const Ideal& I, Run& run) {
     const std::vector<Polynomial>& basis = I.groebner_basis(run);
     if (format != ResultFormat::json) return ideal_in(format, I.ring(), basis, run);
     Json result = ring_fields(I.ring());
-    result["basis"] = strings(basis);
+    result["basis"] = strings(basis, run);
     return to_text(result);
 }
 

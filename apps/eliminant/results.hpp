@@ -27,7 +27,7 @@ void require_text_or_json(const Session& session);
 std::string to_text(const Json& json);
 
 /// The polynomials as strings in text format.
-Json strings(std::span<const Polynomial> polynomials);
+Json strings(std::span<const Polynomial> polynomials, const Run& run);
 
 /// `{"variables": …, "field": …, "order": …}`, to which results are added.
 Json ring_fields(const Ring& ring);
@@ -37,13 +37,14 @@ Json ring_fields(const Ring& ring);
 std::string ideal_in(ResultFormat format, const Ring& ring, std::span<const Polynomial> generators, Run& run);
 
 /// A polynomial on its own, in the same way.
-std::string polynomial_in(ResultFormat format, const Polynomial& f);
+std::string polynomial_in(ResultFormat format, const Polynomial& f, const Run& run);
 
 /// A comment in the syntax of the format, a line. Not for JSON.
 std::string comment_in(ResultFormat format, const std::string& text);
 
 /// `NAME = FORMULA`, a line, without the ring. Not for JSON.
-std::string assignment_in(ResultFormat format, const std::string& name, const Polynomial& value);
+std::string assignment_in(ResultFormat format, const std::string& name, const Polynomial& value,
+                          const Run& run);
 
 /// An ideal by its reduced Groebner basis in the order of its ring.
 std::string ideal_in(ResultFormat format, const Ideal& I, Run& run);

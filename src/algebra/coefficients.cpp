@@ -103,6 +103,16 @@ Polynomial from_coefficients(const Ring& ring, std::span<const std::size_t> vari
     return builder.build();
 }
 
+std::uint64_t degree_in_first(const Polynomial& f, std::size_t count) {
+    std::uint64_t degree = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        std::uint64_t sum = 0;
+        for (std::size_t variable = 0; variable < count; ++variable) sum += f.exponent(i, variable);
+        degree = std::max(degree, sum);
+    }
+    return degree;
+}
+
 std::vector<bool> occurring_variables(const Polynomial& f) {
     std::vector<bool> occurs(f.ring().variable_count(), false);
     for (std::size_t i = 0; i < f.size(); ++i) {

@@ -3,7 +3,9 @@
 #include "eliminant/base/wide.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace eliminant::algebra {
@@ -54,55 +56,84 @@ MonomialLayout::MonomialLayout(std::span<const MonomialOrder::Key> keys, std::si
     find_deciding_fields();
 }
 
+namespace {
+
+/// A linear form of few variables, as most fields are: its coefficients that are not zero.
+using SparseForm = std::map<std::size_t, MonomialLayout::Word>;
+
+void subtract_multiple(SparseForm& from, MonomialLayout::Word factor, const SparseForm& what) {
+    for (const auto& [index, value] : what) {
+        MonomialLayout::Word& entry = from[index];
+        entry -= factor * value;
+        if (entry == 0) from.erase(index);
+    }
+}
+
+} // namespace
+
 void MonomialLayout::find_deciding_fields() {
     // Gaussian elimination on the fields as linear forms of the exponents, over the integers modulo 2^64 with
     // odd pivots only. A field that reduces to 0 is a combination of earlier ones modulo 2^64; its value is
     // below 2^63, so they determine it. (Over the rationals more fields would, as x by 2x + y and y, but not
     // by wrapping arithmetic.) A remainder without odd entry decides too but reduces nothing.
     struct Pivot {
-        std::vector<Word> form;        ///< 1 at `variable`, 0 at the variables of the pivots before
-        std::vector<Word> combination; ///< of the deciding fields, which gives the form
+        SparseForm form;        ///< 1 at its variable, 0 at the variables of the pivots before
+        SparseForm combination; ///< of the deciding fields, which gives the form
         std::size_t variable;
     };
-    const auto subtract_multiple = [](std::vector<Word>& from, Word factor, const std::vector<Word>& what) {
-        for (std::size_t i = 0; i < what.size(); ++i) from[i] -= factor * what[i];
+    std::vector<SparseForm> fields(field_count_);
+    const auto index_of = [this](Place place) { // the inverse of place_of
+        return std::size_t{place.word} * (64 / bits_) + (64 - place.shift) / bits_ - 1;
     };
+    for (const Form& known : forms_) {
+        SparseForm& form = fields[index_of(known.place)];
+        for (std::size_t v = 0; v < known.weights.size(); ++v)
+            if (known.weights[v] != 0) form[v] = known.weights[v];
+    }
+    for (std::size_t v = 0; v < places_.size(); ++v) fields[index_of(places_[v])] = {{v, 1}};
+
     std::vector<Pivot> pivots;
+    std::vector<std::size_t> pivot_of(places_.size(), field_count_); // of a variable; field_count_: none
     for (std::size_t index = 0; index < field_count_; ++index) {
         const Place place = place_of(index);
-        const auto at = [place](Place other) {
-            return other.word == place.word && other.shift == place.shift;
+        SparseForm form = std::move(fields[index]);
+        SparseForm combination; // the form as reduced so far
+        // A pivot brings in variables of later ones only.
+        std::set<std::size_t> reducing;
+        const auto note = [&](const SparseForm& entries) {
+            for (const auto& [variable, value] : entries)
+                if (pivot_of[variable] != field_count_) reducing.insert(pivot_of[variable]);
         };
-        std::vector<Word> form(places_.size(), 0);
-        for (const Form& known : forms_) {
-            if (at(known.place)) form = known.weights;
-        }
-        for (std::size_t v = 0; v < places_.size(); ++v) {
-            if (at(places_[v])) form[v] = 1;
-        }
-        std::vector<Word> combination(deciding_.size(), 0); // the form as reduced so far
-        for (const Pivot& pivot : pivots) {
-            const Word factor = form[pivot.variable];
-            if (factor == 0) continue;
+        note(form);
+        while (!reducing.empty()) {
+            const Pivot& pivot = pivots[reducing.extract(reducing.begin()).value()];
+            const auto entry = form.find(pivot.variable);
+            if (entry == form.end()) continue;
+            const Word factor = entry->second;
             subtract_multiple(form, factor, pivot.form);
             subtract_multiple(combination, factor, pivot.combination);
+            note(pivot.form);
         }
-        if (std::ranges::all_of(form, [](Word w) { return w == 0; })) {
-            for (std::size_t i = 0; i < deciding_.size(); ++i)
-                columns_[i * words_ + place.word] -= combination[i] << place.shift;
+        if (form.empty()) {
+            for (const auto& [i, value] : combination)
+                columns_[i * words_ + place.word] -= value << place.shift;
             continue;
         }
+        const std::size_t decider = deciding_.size();
         deciding_.push_back(index);
         columns_.resize(deciding_.size() * words_, 0);
-        columns_[(deciding_.size() - 1) * words_ + place.word] = Word{1} << place.shift;
-        combination.push_back(1);
-        const auto odd = std::ranges::find_if(form, [](Word w) { return (w & 1) != 0; });
+        columns_[decider * words_ + place.word] = Word{1} << place.shift;
+        combination[decider] = 1;
+        const auto odd =
+            std::ranges::find_if(form, [](const auto& entry) { return (entry.second & 1) != 0; });
         if (odd == form.end()) continue;
-        Word inverse = *odd; // Newton's iteration doubles the correct bits, 3 to begin with
-        for (int i = 0; i < 5; ++i) inverse *= 2 - *odd * inverse;
-        const auto variable = static_cast<std::size_t>(odd - form.begin());
-        for (Word& w : form) w *= inverse;
-        for (Word& w : combination) w *= inverse;
+        const std::size_t variable = odd->first;
+        const Word leading = odd->second;
+        Word inverse = leading; // Newton's iteration doubles the correct bits, 3 to begin with
+        for (int i = 0; i < 5; ++i) inverse *= 2 - leading * inverse;
+        for (auto& [v, value] : form) value *= inverse;
+        for (auto& [i, value] : combination) value *= inverse;
+        pivot_of[variable] = pivots.size();
         pivots.push_back({std::move(form), std::move(combination), variable});
     }
 }

@@ -26,11 +26,13 @@ void append_integer(std::string& text, const Integer& value) {
 /// Appends terms `+c*m`, the sign of the first one only if it is a minus.
 class TermPrinter {
   public:
-    explicit TermPrinter(const Polynomial& f) : f_(f), exponents_(f.ring().variable_count()) {
+    TermPrinter(const Polynomial& f, const base::Run& run)
+        : f_(f), run_(run), exponents_(f.ring().variable_count()) {
         text_.reserve(f.size() * 16);
     }
 
     void append(std::size_t i, const Integer& numerator, const Integer& denominator) {
+        run_.poll();
         if (i != 0 && numerator.sign() > 0) text_ += '+';
         f_.layout().decode(f_.packed_monomial(i), exponents_);
         bool is_first_factor = true;
@@ -60,6 +62,7 @@ class TermPrinter {
 
   private:
     const Polynomial& f_;
+    const base::Run& run_;
     std::vector<std::uint64_t> exponents_;
     std::string text_;
 };
@@ -67,8 +70,13 @@ class TermPrinter {
 } // namespace
 
 std::string to_string(const Polynomial& f) {
+    const base::Run run;
+    return to_string(f, run);
+}
+
+std::string to_string(const Polynomial& f, const base::Run& run) {
     if (f.is_zero()) return "0";
-    TermPrinter printer(f);
+    TermPrinter printer(f, run);
     if (!f.ring().field().is_rationals()) {
         const auto& residues = f.residue_terms().coefficients;
         for (std::size_t i = 0; i < residues.size(); ++i) printer.append(i, Integer(residues[i]), Integer(1));

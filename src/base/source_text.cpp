@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t longest_quotation = 24; // characters of a word that a message repeats
 
-bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_'; }
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
@@ -86,7 +86,11 @@ std::string SourceText::describe(std::size_t offset) const {
     if (length == 0) return "the byte " + hexadecimal(static_cast<unsigned char>(c)) + ", which is not UTF-8";
     if (length == 1 && (c < ' ' || c == '\x7f'))
         return "the control character " + hexadecimal(static_cast<unsigned char>(c));
-    const auto word_end = static_cast<std::size_t>(std::ranges::find_if_not(rest, is_word) - rest.begin());
+    auto word_end = static_cast<std::size_t>(std::ranges::find_if_not(rest, is_word) - rest.begin());
+    if (is_digit(c) && word_end + 1 < rest.size() && rest[word_end] == '.' && is_digit(rest[word_end + 1])) {
+        ++word_end; // a decimal
+        while (word_end < rest.size() && is_word(rest[word_end])) ++word_end;
+    }
     const std::size_t quoted = is_word(c) ? std::min(word_end, longest_quotation) : length;
     std::string text = "'";
     text.append(rest.substr(0, quoted)).append(quoted < word_end ? "…'" : "'");

@@ -27,9 +27,10 @@ class Renamed {
     }
 
     const Ring& ring() const { return ring_; }
-    std::string formula(const Polynomial& f) const {
+    std::string formula(const Polynomial& f, const base::Run& run) const {
         algebra::require_same_ring(original_, f.ring(), "export of polynomials");
-        return original_.names() == ring_.names() ? to_string(f) : to_string(f.in_ring(ring_, identity_));
+        return original_.names() == ring_.names() ? to_string(f, run)
+                                                  : to_string(f.in_ring(ring_, identity_), run);
     }
     /// One comment a replaced name.
     std::string comments(std::string_view comment_sign) const {
@@ -59,11 +60,12 @@ class Renamed {
     std::vector<std::size_t> identity_;
 };
 
-std::string latex_formula(const Polynomial& f) {
+std::string latex_formula(const Polynomial& f, const base::Run& run) {
     if (f.is_zero()) return "0";
     const auto names = latex_names(f.ring());
     std::string text;
     for (std::size_t i = 0; i < f.size(); ++i) {
+        run.poll();
         const mpq_class c = f.coefficient(i);
         const mpz_class numerator = abs(c.get_num());
         text += c < 0 ? "-" : i == 0 ? "" : "+";
@@ -140,14 +142,24 @@ std::string declared_ring(const Renamed& renamed, Format format) {
 } // namespace
 
 std::string formula(const Polynomial& f, Format format) {
-    if (format == Format::text) return to_string(f);
-    if (format == Format::latex) return latex_formula(f);
-    return Renamed(f.ring(), format).formula(f);
+    const base::Run run;
+    return formula(f, format, run);
+}
+
+std::string formula(const Polynomial& f, Format format, const base::Run& run) {
+    if (format == Format::text) return to_string(f, run);
+    if (format == Format::latex) return latex_formula(f, run);
+    return Renamed(f.ring(), format).formula(f, run);
 }
 
 std::string declared(const Polynomial& f, Format format) {
-    if (format == Format::text) return to_string(f).append("\n");
-    if (format == Format::latex) return std::string("\\[ ").append(latex_formula(f)).append(" \\]\n");
+    const base::Run run;
+    return declared(f, format, run);
+}
+
+std::string declared(const Polynomial& f, Format format, const base::Run& run) {
+    if (format == Format::text) return to_string(f, run).append("\n");
+    if (format == Format::latex) return std::string("\\[ ").append(latex_formula(f, run)).append(" \\]\n");
     const Renamed renamed(f.ring(), format);
     std::string text = declared_ring(renamed, format);
     const bool is_sage = format == Format::sage;
@@ -155,9 +167,9 @@ std::string declared(const Polynomial& f, Format format) {
     // A constant is a polynomial only where the ring says so.
     if (format == Format::macaulay2 || is_sage)
         return text.append(is_sage ? "R(" : "sub(")
-            .append(renamed.formula(f))
+            .append(renamed.formula(f, run))
             .append(is_sage ? ")\n" : ",R);\n");
-    return text.append(renamed.formula(f)).append(";\n");
+    return text.append(renamed.formula(f, run)).append(";\n");
 }
 
 namespace {
@@ -195,13 +207,14 @@ std::string declared(const Ring& ring, std::span<const Polynomial> generators, F
     const auto list = [&](std::string_view separator, std::string_view of_none, auto&& print) {
         return generators.empty() ? std::string(of_none) : joined(written(print), separator);
     };
-    const auto formula_of = [&](const Polynomial& f) { return renamed.formula(f); };
+    const auto formula_of = [&](const Polynomial& f) { return renamed.formula(f, run); };
+    const auto latex_of = [&](const Polynomial& f) { return latex_formula(f, run); };
     switch (format) {
     case Format::text:
         return generators.empty() ? text : joined(written(formula_of), "\n", text).append("\n");
     case Format::latex:
         return text.append("\\begin{align*}\n  & ")
-            .append(list(" \\\\\n  & ", "0", latex_formula))
+            .append(list(" \\\\\n  & ", "0", latex_of))
             .append("\n\\end{align*}\n");
     case Format::singular:
         return text.append("ideal I =\n  ").append(list(",\n  ", "0", formula_of)).append(";\n");

@@ -1,5 +1,6 @@
 #include "eliminant/implicit/certify.hpp"
 
+#include "eliminant/algebra/coefficients.hpp"
 #include "eliminant/algebra/print.hpp"
 #include "implicit/certify_domain.hpp"
 #include "implicit/map_of.hpp"
@@ -24,6 +25,18 @@ CertificateInput input_of(const Parametrization& parametrization) {
     return input;
 }
 
+std::optional<Claims> toric_claims(const RationalMap& map, const ImplicitResult& result, base::Run& run) {
+    const std::size_t n = map.components.size() - map.constants.size();
+    auto rank = rank_claim(map, n - 1, run);
+    if (!rank) return std::nullopt;
+    Claims claims;
+    claims.theorem = Theorem::toric;
+    claims.codimension = 1;
+    claims.degrees = {algebra::degree_in_first(result.equations.front(), n)};
+    claims.rank = *std::move(rank);
+    return claims;
+}
+
 /// Claims of equations that elimination found, or of none.
 std::optional<Claims> claims_of(const RationalMap& map, const ImplicitResult& result, base::Run& run) {
     const std::size_t n = map.components.size() - map.constants.size();
@@ -34,7 +47,7 @@ std::optional<Claims> claims_of(const RationalMap& map, const ImplicitResult& re
     claims.codimension = result.codimension;
     claims.rank = std::move(*rank);
     for (const algebra::Polynomial& f : result.equations) {
-        claims.degrees.push_back(degree_in_coordinates(f, n));
+        claims.degrees.push_back(algebra::degree_in_first(f, n));
         claims.vanishing.push_back(vanishing_claim(map, f));
     }
     return claims;
@@ -52,7 +65,10 @@ Certified certify(const Parametrization& parametrization, const ImplicitResult& 
     }
     if (!claims) {
         const RationalMap map = map_of(parametrization, run);
-        if (result.equations.size() == 1) claims = prove_hypersurface(map, result.equations.front(), run);
+        if (result.method == Method::toric)
+            claims = toric_claims(map, result, run);
+        else if (result.equations.size() == 1)
+            claims = prove_hypersurface(map, result.equations.front(), run);
         if (!claims) claims = claims_of(map, result, run);
         if (!claims) return {std::nullopt, "no point was found at which the differential has its full rank"};
     }

@@ -1,10 +1,10 @@
 #include "implicit/certify_domain.hpp"
 
 #include "algebra/random.hpp"
+#include "eliminant/algebra/coefficients.hpp"
 #include "eliminant/algebra/evaluation.hpp"
 #include "eliminant/groebner/groebner_basis.hpp"
 #include "implicit/roots_modulo.hpp"
-#include "implicit/verify_irreducible.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -160,7 +160,7 @@ std::variant<Claims, NoClaims> domain_claims(const DomainMap& map, std::span<con
     Claims claims;
     claims.codimension = codimension;
     for (const Polynomial& f : equations) {
-        claims.degrees.push_back(degree_in_coordinates(f, n));
+        claims.degrees.push_back(algebra::degree_in_first(f, n));
         if (!vanishes(map, f, *basis, run))
             return NoClaims{"an equation is zero on the domain, but not by a combination of the relations"};
     }

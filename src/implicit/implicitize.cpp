@@ -8,6 +8,7 @@
 #include "implicit/map_degree.hpp"
 #include "implicit/map_of.hpp"
 #include "implicit/method_choice.hpp"
+#include "implicit/toric_method.hpp"
 #include "implicit/verify_hypersurface.hpp"
 
 #include <utility>
@@ -62,7 +63,7 @@ class Implicitization {
     ImplicitResult compute() {
         if (parametrization_.relations().empty()) {
             without_relations();
-            if (wants_degree_)
+            if (wants_degree_ && result_.method != Method::toric)
                 result_.parametrization_degree = map_degree(map_of(parametrization_, run_), run_);
         } else {
             with_relations();
@@ -72,6 +73,7 @@ class Implicitization {
 
   private:
     void without_relations() {
+        if (method_ == Method::automatic && by_exponents()) return;
         const std::size_t n = parametrization_.coordinates().size();
         const std::size_t dimension = dimension_at_least(parametrization_, map_, run_);
         if (dimension == n) {
@@ -94,6 +96,21 @@ class Implicitization {
         result_.proof +=
             "; coefficients from images modulo primes whose product exceeds twice the bound of what "
             "has to vanish";
+    }
+
+    /// Whether the coordinates are terms, and their image a hypersurface.
+    bool by_exponents() {
+        const RationalMap map = map_of(parametrization_, run_);
+        const auto terms = term_map(map);
+        auto f = terms ? toric_equation(*terms, hypersurface_ring_) : std::nullopt;
+        if (!f) return false;
+        result_.equations.push_back(*std::move(f));
+        result_.codimension = 1;
+        result_.method = Method::toric;
+        result_.proof = toric_theorem;
+        if (wants_degree_) result_.parametrization_degree = toric_degree(*terms, map);
+        if (!is_graph(parametrization_, map_)) result_.notes.emplace_back(closure_note);
+        return true;
     }
 
     /// Whether a method for hypersurfaces, of those that may be tried, found the equation; it is proved.
@@ -214,6 +231,8 @@ std::string_view to_string(Method method) {
     switch (method) {
     case Method::automatic:
         return "auto";
+    case Method::toric:
+        return "toric";
     case Method::groebner:
         return "groebner";
     case Method::linear:

@@ -1,10 +1,12 @@
 #include "eliminant/implicit/verify.hpp"
 
+#include "eliminant/algebra/coefficients.hpp"
 #include "eliminant/algebra/gcd.hpp"
 #include "eliminant/algebra/parse.hpp"
 #include "eliminant/base/error.hpp"
 #include "implicit/verify_domain.hpp"
 #include "implicit/verify_hypersurface.hpp"
+#include "implicit/verify_monomials.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -107,12 +109,11 @@ class Check {
         if (claims_.degrees.size() != count) return fail("the claims are of another number of equations");
         if ((claims_.theorem == Theorem::dense) != (count == 0))
             return fail("an image is dense if and only if it has no equations");
-        if (claims_.theorem == Theorem::hypersurface && count != 1)
-            return fail("a hypersurface has one equation");
+        const bool one = claims_.theorem == Theorem::hypersurface || claims_.theorem == Theorem::toric;
+        if (one && count != 1) return fail("a hypersurface has one equation");
         if ((claims_.theorem == Theorem::dense) != (claims_.codimension == 0))
             return fail("an image is dense if and only if it has codimension 0");
-        if (claims_.theorem == Theorem::hypersurface && claims_.codimension != 1)
-            return fail("a hypersurface has codimension 1");
+        if (one && claims_.codimension != 1) return fail("a hypersurface has codimension 1");
         return true;
     }
 
@@ -125,24 +126,26 @@ class Check {
             if (f.is_zero() || (f != primitive && (subject_.equations.size() == 1 || f != -primitive)))
                 return fail(name_of(i) +
                             " is not primitive with integer coefficients, or its leading one is negative");
-            if (degree_in_coordinates(f, coordinates_) != claims_.degrees[i])
+            if (algebra::degree_in_first(f, coordinates_) != claims_.degrees[i])
                 return fail(name_of(i) + " has another degree");
         }
         return true;
     }
 
     bool holds_on(const RationalMap& map) {
-        if (claims_.vanishing.size() != subject_.equations.size())
+        const bool is_toric = claims_.theorem == Theorem::toric;
+        if (claims_.vanishing.size() != (is_toric ? 0 : subject_.equations.size()))
             return fail("the claims are of another number of equations");
         if ((claims_.theorem == Theorem::hypersurface) != claims_.irreducible.has_value())
             return fail("irreducibility is claimed of hypersurfaces, and only of them");
         if (claims_.domain) return fail("a domain is claimed of an input without relations");
-        return dimension_holds(map) && equations_vanish(map) && theorem_holds();
+        return dimension_holds(map) && (is_toric ? is_binomial_on(map) : equations_vanish(map)) &&
+               theorem_holds();
     }
 
     bool holds_on(const DomainMap& map) {
         if (!claims_.domain || claims_.irreducible || !claims_.vanishing.empty() ||
-            claims_.rank != RankClaim{})
+            claims_.rank != RankClaim{} || claims_.theorem == Theorem::toric)
             return fail("for an input with relations the claims are others");
         const DomainClaim& domain = *claims_.domain;
         if (!is_dimension(domain.rank)) return false;
@@ -205,6 +208,17 @@ class Check {
         return true;
     }
 
+    bool is_binomial_on(const RationalMap& map) {
+        const auto terms = term_map(map);
+        if (!terms) return fail("a coordinate is not a single term");
+        if (!is_irreducible_binomial_on(*terms, subject_.equations.front()))
+            return fail("the equation is not an irreducible binomial that vanishes on the parametrization");
+        found(name_of(0) + " vanishes on the parametrization: it is a binomial, and its exponents are a "
+                           "relation of those of the coordinates");
+        return found("the equation is irreducible: its two monomials are coprime, and their exponents have "
+                     "no common factor");
+    }
+
     std::vector<std::size_t> coordinate_variables() const {
         std::vector<std::size_t> variables(coordinates_);
         std::iota(variables.begin(), variables.end(), std::size_t{0});
@@ -230,6 +244,7 @@ class Check {
             verdict_.statement = "proved: the image is dense";
             break;
         case Theorem::hypersurface:
+        case Theorem::toric:
             verdict_.statement = "proved: the equation generates the ideal of the image";
             break;
         case Theorem::elimination:

@@ -1,5 +1,7 @@
 #include "implicit/verify_hypersurface.hpp"
 
+#include "eliminant/algebra/coefficients.hpp"
+
 #include <utility>
 
 namespace eliminant::implicit {
@@ -16,7 +18,7 @@ std::optional<Claims> prove_hypersurface(const RationalMap& map, const algebra::
     Claims claims;
     claims.theorem = Theorem::hypersurface;
     claims.codimension = 1;
-    claims.degrees = {degree_in_coordinates(f, n)};
+    claims.degrees = {algebra::degree_in_first(f, n)};
     claims.vanishing.push_back(std::move(vanishing));
     claims.rank = std::move(*rank);
     claims.irreducible = std::move(section);

@@ -3,6 +3,7 @@
 #include "algebra/random.hpp"
 #include "algebra/residue_classes.hpp"
 #include "algebra/univariate_mod_p.hpp"
+#include "eliminant/algebra/coefficients.hpp"
 #include "implicit/verify_values.hpp"
 
 #include <algorithm>
@@ -22,23 +23,14 @@ constexpr std::uint64_t prime_bound = std::uint64_t{1} << 20;
 
 } // namespace
 
-std::uint64_t degree_in_coordinates(const Polynomial& f, std::size_t coordinates) {
-    std::uint64_t degree = 0;
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        std::uint64_t sum = 0;
-        for (std::size_t j = 0; j < coordinates; ++j) sum += f.exponent(i, j);
-        degree = std::max(degree, sum);
-    }
-    return degree;
-}
-
 namespace {
 
 /// f on lines modulo one prime.
 class Sections {
   public:
     Sections(const Polynomial& f, std::size_t coordinates, const PrimeField& field)
-        : field_(field), degree_(degree_in_coordinates(f, coordinates)), tree_(f), values_(tree_, f, field) {}
+        : field_(field), degree_(algebra::degree_in_first(f, coordinates)), tree_(f),
+          values_(tree_, f, field) {}
 
     Vector on(const SectionClaim& line, base::Run& run) {
         constexpr std::size_t lanes = ValuesModulo::lanes;
@@ -91,7 +83,7 @@ bool is_irreducible(const std::vector<std::uint32_t>& f, const PrimeField& field
 std::optional<SectionClaim> irreducible_section(const Polynomial& f, std::size_t coordinates,
                                                 base::Run& run) {
     const PrimeField field(algebra::previous_prime(prime_bound));
-    const std::uint64_t attempts = 40 * (degree_in_coordinates(f, coordinates) + 1);
+    const std::uint64_t attempts = 40 * (algebra::degree_in_first(f, coordinates) + 1);
     Sections sections(f, coordinates, field);
     algebra::Random random(run.seed());
     const std::size_t n = f.ring().variable_count();
@@ -115,7 +107,7 @@ bool holds(const Polynomial& f, std::size_t coordinates, const SectionClaim& cla
         return false;
     for (std::size_t i = coordinates; i < n; ++i)
         if (claim.direction[i] != 0) return false;
-    if (degree_in_coordinates(f, coordinates) >= claim.prime)
+    if (algebra::degree_in_first(f, coordinates) >= claim.prime)
         return false; // the points of interpolation differ
     const PrimeField field(claim.prime);
     const Vector section = Sections(f, coordinates, field).on(claim, run);

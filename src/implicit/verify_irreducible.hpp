@@ -13,9 +13,6 @@
 
 namespace eliminant::implicit {
 
-/// Largest sum of exponents of the first `coordinates` variables.
-std::uint64_t degree_in_coordinates(const algebra::Polynomial& f, std::size_t coordinates);
-
 /// Whether a monic polynomial over GF(p), p below 2^20, is irreducible: the test of Ben-Or (1981), that its
 /// gcd with x^(p^k) − x is 1 for k up to half the degree. A polynomial that is not mostly fails for small k.
 bool is_irreducible(const std::vector<std::uint32_t>& f, const algebra::PrimeField& field, base::Run& run);

@@ -1,6 +1,6 @@
 #include "algebra/division.hpp"
 
-#include "support/polynomial_shapes.hpp"
+#include "support/random_polynomials.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 using namespace eliminant;
 using eliminant::algebra::QuotientKernel;
 using eliminant::algebra::try_divide_with;
-using eliminant::test::random_nonzero;
-using eliminant::test::random_polynomial;
+using eliminant::testing::random_nonzero;
+using eliminant::testing::random_polynomial;
 
 namespace {
 
@@ -68,8 +68,8 @@ TEST(ExactDivision, UndoesMultiplicationInEveryRing) {
         std::mt19937_64 random(seed);
         const std::size_t n = seed;
         for (const auto& field : fields()) {
-            for (const auto& order : test::every_order(n, random)) {
-                const Ring ring(field, test::variable_names(n), order);
+            for (const auto& order : eliminant::testing::every_order(n, random)) {
+                const Ring ring(field, eliminant::testing::variable_names(n), order);
                 const std::uint64_t stride = 1 + random() % 3;
                 const Polynomial q =
                     random_nonzero(ring, random, {1 + random() % 12, random() % 9, stride, 20, true});
@@ -86,7 +86,7 @@ TEST(ExactDivision, UndoesMultiplicationForCoefficientsOfEverySize) {
     for (const unsigned bits_q : {1U, 31U, 60U, 61U, 62U, 63U, 64U, 126U, 128U, 2000U}) {
         for (const unsigned bits_b : {1U, 31U, 61U, 62U, 63U, 64U, 127U, 2000U}) {
             std::mt19937_64 random(++seed);
-            const Ring ring(CoefficientField::rationals(), test::variable_names(2));
+            const Ring ring(CoefficientField::rationals(), eliminant::testing::variable_names(2));
             const Polynomial q = random_nonzero(ring, random, {10, 4, 1, bits_q, false});
             const Polynomial b = random_nonzero(ring, random, {8, 4, 1, bits_b, false});
             expect_quotient(q * b, b, q, seed);
@@ -98,8 +98,8 @@ TEST(ExactDivision, UndoesMultiplicationForHugeExponents) {
     for (std::uint64_t seed = 1; seed <= 16; ++seed) {
         std::mt19937_64 random(seed);
         const std::size_t n = 1 + seed % 6;
-        for (const auto& order : test::every_order(n, random)) {
-            const Ring ring(fields()[seed % 4], test::variable_names(n), order);
+        for (const auto& order : eliminant::testing::every_order(n, random)) {
+            const Ring ring(fields()[seed % 4], eliminant::testing::variable_names(n), order);
             const std::uint64_t largest = std::uint64_t{1} << (random() % 46);
             const Polynomial q = random_nonzero(ring, random, {8, largest, 1, 9, false});
             const Polynomial b = random_nonzero(ring, random, {6, largest, 1, 9, false});
@@ -126,7 +126,7 @@ TEST(ExactDivision, SeesWhatIsNotDivisible) {
 
 TEST(ExactDivision, StopsWhenTold) {
     std::mt19937_64 random(5);
-    const Ring ring(CoefficientField::rationals(), test::variable_names(3));
+    const Ring ring(CoefficientField::rationals(), eliminant::testing::variable_names(3));
     const Polynomial b = random_nonzero(ring, random, {400, 40, 1, 60, false});
     const Polynomial a = b * random_nonzero(ring, random, {400, 40, 1, 60, false});
     for (const unsigned bits : {0U, 12U}) {
@@ -144,8 +144,8 @@ TEST(Division, IsTheTextbooks) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         std::mt19937_64 random(seed);
         const std::size_t n = 1 + seed % 5;
-        for (const auto& order : test::every_order(n, random)) {
-            const Ring ring(fields()[seed % 4], test::variable_names(n), order);
+        for (const auto& order : eliminant::testing::every_order(n, random)) {
+            const Ring ring(fields()[seed % 4], eliminant::testing::variable_names(n), order);
             const Polynomial f = random_polynomial(ring, random, {1 + random() % 12, 6, 1, 5, true});
             std::vector<Polynomial> divisors;
             for (std::size_t i = 0; i < seed % 4; ++i)
@@ -189,8 +189,8 @@ TEST(SPolynomial, CancelsTheLeadingTerms) {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         std::mt19937_64 random(seed);
         const std::size_t n = 1 + seed % 4;
-        for (const auto& order : test::every_order(n, random)) {
-            const Ring ring(fields()[seed % 4], test::variable_names(n), order);
+        for (const auto& order : eliminant::testing::every_order(n, random)) {
+            const Ring ring(fields()[seed % 4], eliminant::testing::variable_names(n), order);
             const Polynomial f = random_nonzero(ring, random, {5, 100, 1, 70, true});
             const Polynomial g = random_nonzero(ring, random, {5, 100, 1, 5, true});
             const Monomial common = lcm(f.leading_monomial(), g.leading_monomial());

@@ -1,7 +1,7 @@
 #include "eliminant/algebra/integer.hpp"
 #include "eliminant/base/error.hpp"
 
-#include "support/polynomial_shapes.hpp"
+#include "support/random_polynomials.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ std::vector<Integer> samples(std::mt19937_64& random) {
     std::vector<Integer> values;
     for (const unsigned bits :
          {0U, 1U, 2U, 31U, 32U, 61U, 62U, 63U, 64U, 65U, 124U, 126U, 127U, 128U, 129U, 300U}) {
-        for (int i = 0; i < 4; ++i) values.push_back(test::random_integer(random, bits));
+        for (int i = 0; i < 4; ++i) values.push_back(eliminant::testing::random_integer(random, bits));
     }
     mpz_class border = 1;
     border <<= 62;

@@ -1,6 +1,6 @@
 #include "algebra/multiply.hpp"
 
-#include "support/polynomial_shapes.hpp"
+#include "support/random_polynomials.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@ using namespace eliminant;
 using eliminant::algebra::multiply_with;
 using eliminant::algebra::ProductKernel;
 using eliminant::algebra::ProductOptions;
-using eliminant::test::random_polynomial;
-using eliminant::test::Shape;
+using eliminant::testing::random_polynomial;
+using eliminant::testing::Shape;
 
 namespace {
 
@@ -38,12 +38,9 @@ void expect_every_kernel_agrees(const Polynomial& a, const Polynomial& b, std::u
     };
     EXPECT_EQ(multiply(a, b, run), expected) << where();
     EXPECT_EQ(multiply(b, a, run), expected) << where();
-    const ProductOptions forced[] = {{ProductKernel::heap},
-                                     {ProductKernel::kronecker},
-                                     {ProductKernel::points},
-                                     {ProductKernel::window, 7},
-                                     {ProductKernel::window, 11},
-                                     {ProductKernel::window, 0}};
+    const ProductOptions forced[] = {{ProductKernel::heap},       {ProductKernel::kronecker},
+                                     {ProductKernel::points},     {ProductKernel::window, 7},
+                                     {ProductKernel::window, 11}, {ProductKernel::window, 0}};
     for (const ProductOptions& options : forced) {
         EXPECT_EQ(multiply_with(a, b, options, run), expected)
             << where() << ", kernel " << static_cast<int>(options.kernel) << ", window "
@@ -62,8 +59,8 @@ TEST(Multiply, AgreesWithItsTwinInEveryRing) {
         std::mt19937_64 random(seed);
         const std::size_t n = seed;
         for (const auto& field : fields()) {
-            for (const auto& order : test::every_order(n, random)) {
-                const Ring ring(field, test::variable_names(n), order);
+            for (const auto& order : eliminant::testing::every_order(n, random)) {
+                const Ring ring(field, eliminant::testing::variable_names(n), order);
                 const Shape shape{1 + random() % 30, random() % 9, 1 + random() % 3, 20, true};
                 expect_every_kernel_agrees(random_polynomial(ring, random, shape),
                                            random_polynomial(ring, random, shape), seed);
@@ -76,8 +73,8 @@ TEST(Multiply, AgreesWithItsTwinForHugeExponents) {
     for (std::uint64_t seed = 1; seed <= 24; ++seed) {
         std::mt19937_64 random(seed);
         const std::size_t n = 1 + seed % 8;
-        for (const auto& order : test::every_order(n, random)) {
-            const Ring ring(fields()[seed % 5], test::variable_names(n), order);
+        for (const auto& order : eliminant::testing::every_order(n, random)) {
+            const Ring ring(fields()[seed % 5], eliminant::testing::variable_names(n), order);
             // Up to 2^45, so that no weighted degree of the product exceeds 2^63 in any of the orders.
             const unsigned bits = static_cast<unsigned>(random() % 46);
             const std::uint64_t stride = random() % 2 == 0 ? 1 : 1 + (random() >> (64 - bits / 2 - 1));
@@ -100,7 +97,7 @@ TEST(Multiply, AgreesWithItsTwinForCoefficientsOfEverySize) {
     for (const unsigned bits_a : sizes) {
         for (const unsigned bits_b : sizes) {
             std::mt19937_64 random(++seed);
-            const Ring ring(CoefficientField::rationals(), test::variable_names(2));
+            const Ring ring(CoefficientField::rationals(), eliminant::testing::variable_names(2));
             expect_every_kernel_agrees(random_polynomial(ring, random, {12, 3, 1, bits_a, false}),
                                        random_polynomial(ring, random, {12, 3, 1, bits_b, false}), seed);
         }
@@ -161,7 +158,7 @@ TEST(Multiply, StopsWhenTold) {
     for (const auto kernel : {ProductKernel::heap, ProductKernel::window}) {
         base::Run run;
         std::mt19937_64 random(1);
-        const Ring ring(CoefficientField::rationals(), test::variable_names(6));
+        const Ring ring(CoefficientField::rationals(), eliminant::testing::variable_names(6));
         const Polynomial f = random_polynomial(ring, random, {6000, 60, 1, 60, false});
         std::atomic<bool> started = false;
         std::thread stopper([&] {

@@ -213,7 +213,7 @@ TEST(Parse, RefusesWhatHasNoMeaning) {
         {"x^(-1)", 1, 3, "not negative", "'('"},
         {"x⁻¹", 1, 2, "not negative", "'⁻'"},
         {"x^(1/2)", 1, 3, "an integer exponent", "(1/2)"},
-        {"x^0.5", 1, 3, "an integer exponent", "'0'"},
+        {"x^0.5", 1, 3, "an integer exponent", "'0.5'"},
         {"x^y", 1, 3, "an integer exponent", "'y'"},
         {"x^(y)", 1, 4, "an exponent is a constant", "'y'"},
         {"x^", 1, 3, "an integer exponent", "end of text"},

@@ -1,6 +1,6 @@
 #include "eliminant/algebra/arithmetic.hpp"
 
-#include "support/polynomial_shapes.hpp"
+#include "support/random_polynomials.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +14,11 @@ TEST(Pow, IsRepeatedMultiplication) {
         const std::size_t n = 1 + seed % 4;
         for (const auto& field : {CoefficientField::rationals(), CoefficientField::prime(2),
                                   CoefficientField::prime(7), CoefficientField::prime(2147483647)}) {
-            for (const auto& order : test::every_order(n, random)) {
-                const Ring ring(field, test::variable_names(n), order);
+            for (const auto& order : eliminant::testing::every_order(n, random)) {
+                const Ring ring(field, eliminant::testing::variable_names(n), order);
                 const std::uint64_t largest = seed % 3 == 0 ? std::uint64_t{1} << 40 : 5;
-                const Polynomial f =
-                    test::random_polynomial(ring, random, {1 + random() % 5, largest, 1, 40, true});
+                const Polynomial f = eliminant::testing::random_polynomial(
+                    ring, random, {1 + random() % 5, largest, 1, 40, true});
                 Polynomial expected = Polynomial::constant(ring, 1);
                 for (std::uint64_t k = 0; k <= 6; ++k) {
                     EXPECT_EQ(pow(f, k), expected)

@@ -70,6 +70,15 @@ TEST(Print, ReadsBackWithAwkwardNames) {
     }
 }
 
+TEST(Print, CanBeStopped) {
+    base::Run run;
+    const Ring ring(CoefficientField::rationals(), {"x", "y"});
+    const Polynomial f = parse_polynomial(ring, "x-1/2*y");
+    EXPECT_EQ(to_string(f, run), "x-1/2*y");
+    run.request_stop();
+    EXPECT_THROW(static_cast<void>(to_string(f, run)), Stopped);
+}
+
 TEST(Print, WritesRationalFunctionsAndStreams) {
     const Ring ring(CoefficientField::rationals(), {"x", "y"});
     EXPECT_EQ(to_string(RationalFunction(parse_polynomial(ring, "x-1"))), "x-1");

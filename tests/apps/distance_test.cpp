@@ -117,7 +117,8 @@ TEST(Distance, SaysWhatIsWrong) {
     expect_error_with(run({"distance", "z", "--at", "1,2"}), 2, "expected three coordinates");
     expect_error_with(run({"distance", "x", "--at", "1,2,3,4"}), 2, "expected three coordinates");
     expect_error_with(run({"distance", "x", "--at", "1,2,1/0"}), 2, "--at:1:");
-    expect_error_with(run({"distance", "x", "--at", "1,2,3", "--set", "r"}), 2, "--set: expected NAME=VALUE");
+    expect_error(run({"distance", "x", "--at", "1,2,3", "--set", "r"}), 2,
+                 "--set: expected NAME=VALUE, as r=2, found 'r'");
     expect_error_with(run({"distance", "x", "--at", "1,2,3", "--format", "latex"}), 2, "text or json");
     expect_error_with(run({"distance", "x^2000", "--at", "1,2,3"}), 2, "expected a degree of at most 1000");
     expect_error_with(run({"distance", "x = t", "y = t^2", "z = t^3", "--at", "1,2,3"}), 2, "codimension 2");

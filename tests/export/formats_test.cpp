@@ -102,6 +102,18 @@ TEST(Formats, WritesEveryOrder) {
               std::string::npos);
 }
 
+TEST(Formats, CanBeStopped) {
+    base::Run run;
+    const Ring ring(CoefficientField::rationals(), {"x", "y"});
+    const std::vector<Polynomial> generators = {Polynomial::variable(ring, 0)};
+    EXPECT_EQ(declared(ring, generators, Format::singular, run),
+              declared(ring, generators, Format::singular));
+    run.request_stop();
+    EXPECT_THROW(static_cast<void>(formula(generators[0], Format::latex, run)), Stopped);
+    EXPECT_THROW(static_cast<void>(declared(generators[0], Format::sage, run)), Stopped);
+    EXPECT_THROW(static_cast<void>(declared(ring, generators, Format::singular, run)), Stopped);
+}
+
 TEST(Formats, SingularTextReadsBack) {
     std::mt19937_64 random(9);
     base::Run run;

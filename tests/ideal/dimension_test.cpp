@@ -1,7 +1,7 @@
 #include "eliminant/ideal/dimension.hpp"
 
 #include "eliminant/ideal/operations.hpp"
-#include "support/random_ideals.hpp"
+#include "ideal/support.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,6 @@
 
 namespace eliminant::ideal {
 namespace {
-
-using testing::describe;
-using testing::for_random_pairs;
-using testing::ideal_of;
-using testing::number;
-using testing::Random;
-using testing::variables;
 
 TEST(Dimension, OfKnownVarieties) {
     base::Run run;

@@ -5,19 +5,12 @@
 #include "eliminant/ideal/dimension.hpp"
 #include "eliminant/ideal/operations.hpp"
 #include "eliminant/ideal/zero_dimensional.hpp"
-#include "support/random_ideals.hpp"
+#include "ideal/support.hpp"
 
 #include <gtest/gtest.h>
 
 namespace eliminant::ideal {
 namespace {
-
-using testing::describe;
-using testing::number;
-using testing::Random;
-using testing::random_ideal;
-using testing::random_small;
-using testing::variables;
 
 /// The 2×2 minors of a matrix of variables x0, x1, … given by their indices.
 Ideal two_minors(const Ring& ring, const std::vector<std::vector<std::size_t>>& matrix) {

@@ -2,7 +2,7 @@
 
 #include "eliminant/groebner/buchberger.hpp"
 #include "eliminant/ideal/operations.hpp"
-#include "support/random_ideals.hpp"
+#include "ideal/support.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,6 @@
 
 namespace eliminant::ideal {
 namespace {
-
-using testing::describe;
-using testing::number;
-using testing::Random;
-using testing::random_ideal;
-using testing::random_small;
-using testing::variables;
 
 Ring qq(std::vector<std::string> names, MonomialOrder order = MonomialOrder::degrevlex()) {
     return {CoefficientField::rationals(), std::move(names), std::move(order)};

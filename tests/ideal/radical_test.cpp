@@ -3,20 +3,12 @@
 #include "eliminant/ideal/dimension.hpp"
 #include "eliminant/ideal/operations.hpp"
 #include "eliminant/ideal/zero_dimensional.hpp"
-#include "support/random_ideals.hpp"
+#include "ideal/support.hpp"
 
 #include <gtest/gtest.h>
 
 namespace eliminant::ideal {
 namespace {
-
-using testing::describe;
-using testing::ideal_of;
-using testing::number;
-using testing::Random;
-using testing::random_ideal;
-using testing::random_small;
-using testing::variables;
 
 const Ring xyz(CoefficientField::rationals(), {"x", "y", "z"});
 

@@ -1,6 +1,6 @@
 #include "eliminant/ideal/operations.hpp"
 
-#include "support/random_ideals.hpp"
+#include "ideal/support.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +8,6 @@
 
 namespace eliminant::ideal {
 namespace {
-
-using testing::describe;
-using testing::for_random_pairs;
-using testing::ideal_of;
-using testing::number;
-using testing::Random;
-using testing::variables;
 
 const Ring xyz(CoefficientField::rationals(), {"x", "y", "z"});
 

@@ -3,7 +3,7 @@
 #include "eliminant/ideal/hilbert.hpp"
 #include "eliminant/ideal/operations.hpp"
 #include "eliminant/ideal/radical.hpp"
-#include "support/random_ideals.hpp"
+#include "ideal/support.hpp"
 #include "support/singular.hpp"
 
 #include <gtest/gtest.h>
@@ -14,9 +14,6 @@
 namespace eliminant::ideal {
 namespace {
 
-using testing::describe;
-using testing::Random;
-using testing::random_ideal;
 using testing::Singular;
 
 /// The sample rings that Singular has too.

@@ -61,4 +61,85 @@ inline Polynomial random_nonzero(const Ring& ring, std::mt19937_64& random, std:
     }
 }
 
+/// Every kind of order on n ≥ 1 variables.
+inline std::vector<MonomialOrder> every_order(std::size_t n, std::mt19937_64& random) {
+    std::vector<std::uint64_t> weights(n);
+    for (auto& w : weights) w = 1 + random() % 4;
+    std::vector<std::vector<std::int64_t>> rows(n, std::vector<std::int64_t>(n, 0));
+    for (std::size_t i = 0; i < n; ++i) {
+        rows[0][i] = 1 + static_cast<std::int64_t>(random() % 3);
+        if (i != 0) rows[i][n - i] = -1;
+    }
+    std::vector<MonomialOrder> orders = {
+        MonomialOrder::lex(),
+        MonomialOrder::deglex(),
+        MonomialOrder::degrevlex(),
+        MonomialOrder::weighted(weights, MonomialOrder::TieBreak::lex),
+        MonomialOrder::weighted(weights, MonomialOrder::TieBreak::revlex),
+        MonomialOrder::matrix(rows),
+        MonomialOrder::elimination({n - 1}),
+    };
+    if (n > 2) orders.push_back(MonomialOrder::blocks({{1}, {0, 2}}));
+    return orders;
+}
+
+inline std::vector<std::string> variable_names(std::size_t n) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < n; ++i) names.push_back(std::string("x").append(std::to_string(i + 1)));
+    return names;
+}
+
+/// A random integer of exactly `bits` bits, or near a power of two, of either sign; 0 for no bits.
+inline Integer random_integer(std::mt19937_64& random, unsigned bits) {
+    if (bits == 0) return {};
+    mpz_class value = 1;
+    value <<= bits - 1;
+    switch (random() % 4) {
+    case 0:
+        break; // 2^(bits−1)
+    case 1:
+        value = 2 * value - 1;
+        break; // all ones
+    case 2:
+        value += bits > 2 ? 1 : 0;
+        break; // 2^(bits−1) + 1
+    default:
+        for (unsigned i = 0; i + 1 < bits; ++i) {
+            if (random() % 2 == 0) mpz_setbit(value.get_mpz_t(), i);
+        }
+    }
+    if (random() % 2 == 0) value = -value;
+    return Integer(value);
+}
+
+/// What random polynomials look like.
+struct Shape {
+    std::size_t terms = 10;
+    std::uint64_t max_exponent = 5;
+    std::uint64_t stride = 1; ///< exponents are multiples of it
+    unsigned bits = 5;        ///< of the largest coefficient
+    bool fractions = false;
+};
+
+inline Polynomial random_polynomial(const Ring& ring, std::mt19937_64& random, const Shape& shape) {
+    PolynomialBuilder builder(ring);
+    std::vector<std::uint64_t> exponents(ring.variable_count());
+    for (std::size_t i = 0; i < shape.terms; ++i) {
+        for (auto& e : exponents) e = random() % (shape.max_exponent / shape.stride + 1) * shape.stride;
+        const auto bits = static_cast<unsigned>(random() % 3 == 0 ? random() % (shape.bits + 1) : shape.bits);
+        const bool fraction = shape.fractions && ring.field().is_rationals() && random() % 3 == 0;
+        builder.add(random_integer(random, bits), Integer(fraction ? 1 + static_cast<long>(random() % 9) : 1),
+                    exponents);
+    }
+    return builder.build();
+}
+
+/// The same, but not 0.
+inline Polynomial random_nonzero(const Ring& ring, std::mt19937_64& random, const Shape& shape) {
+    for (;;) {
+        Polynomial f = random_polynomial(ring, random, shape);
+        if (!f.is_zero()) return f;
+    }
+}
+
 } // namespace eliminant::testing

@@ -36,6 +36,9 @@ Polynomial leading_coefficient(const Polynomial& f, std::size_t variable);
 Polynomial from_coefficients(const Ring& ring, std::span<const std::size_t> variables,
                              std::span<const CoefficientTerm> terms);
 
+/// The largest sum of the exponents of the first `count` variables in a term; 0 for 0.
+std::uint64_t degree_in_first(const Polynomial& f, std::size_t count);
+
 /// Which variables occur in f, one flag a variable of the ring.
 std::vector<bool> occurring_variables(const Polynomial& f);
 

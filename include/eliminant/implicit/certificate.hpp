@@ -80,6 +80,12 @@ enum class Theorem {
     /// One equation; it vanishes, the dimension is one less than that of the space, and it is irreducible, or
     /// of the least degree: so it generates the ideal of the image, which is principal. All of it is checked.
     hypersurface,
+    /// One equation, a binomial, and coordinates that are single terms: exponents and coefficients show that
+    /// it
+    /// vanishes and is irreducible, so it generates the ideal. All of it is checked, without VanishingClaim
+    /// and
+    /// SectionClaim, whatever the degree.
+    toric,
     /// No equation: the dimension is that of the space. All of it is checked.
     dense,
     /// The equations are a Groebner basis of the kernel of a homomorphism, made by elimination. That they
@@ -93,7 +99,7 @@ struct Claims {
     Theorem theorem = Theorem::elimination;
     std::uint64_t codimension = 0;
     std::vector<std::uint64_t> degrees;    ///< of the equations, in the coordinates
-    std::vector<VanishingClaim> vanishing; ///< one an equation
+    std::vector<VanishingClaim> vanishing; ///< one an equation; none if `toric`
     RankClaim rank;
     std::optional<SectionClaim> irreducible; ///< of a hypersurface
     std::optional<DomainClaim> domain;       ///< of an input with relations, instead of these three

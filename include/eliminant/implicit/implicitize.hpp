@@ -18,12 +18,13 @@ namespace eliminant::implicit {
 /// How the implicit equations are found; the answer does not depend on it.
 enum class Method {
     automatic, ///< chosen from the shape of the input; never the method of a result
+    toric,     ///< read off the exponents, where all coordinates are single terms: by `automatic` only
     groebner,  ///< elimination of the parameters by Groebner bases
     linear,    ///< linear algebra on values of monomials at points of the image; for hypersurfaces
     resultant, ///< resultants on parallel lines, for plane curves and for surfaces in space
 };
 
-/// The name on the command line: `auto`, `groebner`, `linear`, `resultant`.
+/// The name on the command line: `auto`, `groebner`, `linear`, `resultant`; of results also `toric`.
 std::string_view to_string(Method method);
 
 /// How sure a result is.
@@ -83,7 +84,7 @@ struct ImplicitResult {
     std::vector<std::string> warnings;
     /// How many parameter values over the algebraic closure reach a general point of the image; nullopt if
     /// infinitely many, or not computed: it was not asked for, or there are relations. Counted in the fibres
-    /// over two random points modulo two primes, which agreed.
+    /// over two random points modulo two primes, which agreed; by `toric` read off the exponents.
     std::optional<std::uint64_t> parametrization_degree;
     ImplicitStatistics statistics;
     /// What holds of most answers and is easily forgotten, a sentence each: that a closure may be larger than
