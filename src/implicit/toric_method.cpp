@@ -91,6 +91,7 @@ mpz_class reduce_column(std::vector<std::vector<mpz_class>>& rows, std::size_t f
 } // namespace
 
 std::optional<std::uint64_t> toric_degree(const TermMap& terms, const RationalMap& map) {
+    if (map.parameters.empty()) return std::nullopt;
     std::vector<std::vector<mpz_class>> rows;
     for (std::size_t i = 0; i + map.constants.size() < terms.exponents.size(); ++i) {
         auto& row = rows.emplace_back();

@@ -16,8 +16,8 @@ namespace eliminant::implicit {
 std::optional<algebra::Polynomial> toric_equation(const TermMap& map, const algebra::Ring& ring);
 
 /// How many parameter values reach a general point of the image: the index of the lattice that the exponents
-/// of the coordinates span in that of all exponents of the parameters. nullopt if infinitely many, or 2^64 or
-/// more.
+/// of the coordinates span in that of all exponents of the parameters. nullopt if infinitely many, 2^64 or
+/// more, or if there is no parameter.
 std::optional<std::uint64_t> toric_degree(const TermMap& terms, const RationalMap& map);
 
 } // namespace eliminant::implicit

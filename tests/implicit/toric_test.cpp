@@ -10,7 +10,7 @@ namespace {
 Certificate certificate_of(const std::string& text) {
     base::Run run;
     const Parametrization parametrization = parametrization_of(text);
-    const auto certificate = certify(parametrization, implicitize(parametrization, {}, run), run);
+    const auto certificate = certify(parametrization, implicitize(parametrization, {}, run), run).certificate;
     EXPECT_TRUE(certificate) << text;
     return certificate.value_or(Certificate{});
 }
