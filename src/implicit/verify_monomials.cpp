@@ -77,7 +77,7 @@ bool is_irreducible_binomial_on(const TermMap& map, const Polynomial& f) {
         const std::uint64_t p = f.exponent(0, i);
         const std::uint64_t q = f.exponent(1, i);
         if (p != 0 && q != 0) return false;
-        u.push_back(mpz_class(static_cast<unsigned long>(p)) - mpz_class(static_cast<unsigned long>(q)));
+        u.emplace_back(mpz_class(static_cast<unsigned long>(p)) - mpz_class(static_cast<unsigned long>(q)));
         common = gcd(common, u.back());
     }
     if (common != 1) return false;
