@@ -15,7 +15,6 @@ using namespace eliminant;
 using eliminant::testing::classical_system;
 using groebner::is_proved_groebner;
 using groebner::PrimeSequence;
-using groebner::Proof;
 
 namespace {
 
