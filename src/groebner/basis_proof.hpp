@@ -23,8 +23,8 @@ namespace eliminant::groebner {
 /// Theorem 5.64.
 ///
 /// False also where it is not proved: if an element is not reduced by the others, if a coefficient of an
-/// identity vanishes modulo the first primes by accident, or if coefficients are so long and rows so many that
-/// exact reductions are likely to be cheaper.
+/// identity vanishes modulo the first primes by accident, or if coefficients are so long and rows so many
+/// that exact reductions are likely to be cheaper.
 ///
 /// \param elements of one ring, none zero, each reduced by the others
 /// \param options of F4

@@ -136,7 +136,7 @@ TEST(Limits, StatisticsAreForTheVerbose) {
     const ProcessResult f4 =
         run({"groebner", "-v", "--field", "GF(101)", "--algorithm", "f4", "x^2*y-1", "x*y^2-x", "x+y+z-1"});
     EXPECT_NE(f4.errors.find("density: share of entries that are not 0"), std::string::npos);
-    EXPECT_NE(f4.errors.find("%"), std::string::npos);
+    EXPECT_NE(f4.errors.find('%'), std::string::npos);
     EXPECT_NE(f4.errors.find("; matrices: "), std::string::npos);
 }
 

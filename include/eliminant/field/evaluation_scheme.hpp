@@ -29,8 +29,8 @@ struct EvaluationScheme {
     /// As `Horner in z^2, y, x` or `(Horner in x, y, z)^3`.
     std::string description = {};
 
-    /// What a certain sign is expected to cost: an uncertain one is computed again in two doubles, which
-    /// takes about 30 times as long (measured on data/surfaces).
+    /// What a certain sign is expected to cost: an uncertain one is computed again in two doubles, which is
+    /// taken to be 30 times as long.
     double expected_cost() const { return operations * (1 + 30 * uncertainty); }
 };
 
