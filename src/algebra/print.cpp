@@ -11,7 +11,7 @@ namespace {
 
 template <class Number>
 void append_number(std::string& text, Number value) {
-    std::array<char, 24> digits; // NOLINT(cppcoreguidelines-pro-type-member-init): written before it is read
+    std::array<char, 24> digits; // written before it is read
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     text.append(digits.data(), end);
 }
